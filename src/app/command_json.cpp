@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace drape::app {
 namespace {
@@ -55,6 +56,9 @@ constexpr std::tuple table{
     row<session::MoveAttachmentCommand>("move_attachment", Field{"target", &session::MoveAttachmentCommand::target}),
     row<session::DetachCommand>("detach"),
     row<session::TogglePinCommand>("toggle_pin"),
+    row<session::SetPinsCommand>("set_pins", Field{"vertices", &session::SetPinsCommand::vertices}),
+    row<session::PlacePinsCommand>("place_pins", Field{"vertices", &session::PlacePinsCommand::vertices},
+                                   Field{"places", &session::PlacePinsCommand::places}),
     row<session::MovePinsCommand>("move_pins", Field{"by", &session::MovePinsCommand::by}),
     row<session::UntangleCommand>("untangle"),
     row<session::SwitchBodyCommand>("switch_body", Field{"body", &session::SwitchBodyCommand::body},
@@ -71,6 +75,9 @@ constexpr std::tuple table{
 }),
     row<session::MoveBodyCommand>("move_body", Field{"body", &session::MoveBodyCommand::body},
                                   Field{"shift", &session::MoveBodyCommand::shift}),
+    row<session::GoToCommand>("go_to", Field{"time", &session::GoToCommand::time}),
+    row<session::StepBackCommand>("step_back"),
+    row<session::ObserveCommand>("observe", Field{"on", &session::ObserveCommand::on}),
     row<session::SetCostBudgetCommand>("set_cost_budget",
                                        Field{"cost_budget", &session::SetCostBudgetCommand::costBudget}),
 }
@@ -97,6 +104,13 @@ void put(Json& json, const Vec3& value) {
   json = {value.x(), value.y(), value.z()};
 }
 
+void put(Json& json, const std::vector<Vec3>& values) {
+  json = Json::array();
+  for (const Vec3& value : values) {
+    put(json.emplace_back(), value);
+  }
+}
+
 void put(Json& json, const settings::SettingValue& value) {
   std::visit([&](const auto& each) { json = each; }, value);
 }
@@ -117,6 +131,12 @@ void put(Json& json, const T& value) {
 void take(const Json& json, Vec3& value) {
   for (int axis = 0; axis < 3; ++axis) {
     value[axis] = json.at(static_cast<std::size_t>(axis)).get<double>();
+  }
+}
+
+void take(const Json& json, std::vector<Vec3>& values) {
+  for (const Json& each : json) {
+    take(each, values.emplace_back());
   }
 }
 

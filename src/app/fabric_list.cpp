@@ -1,23 +1,18 @@
 #include "app/fabric_list.hpp"
 
 #include "app/output_file.hpp"
+#include "app/user_folder.hpp"
 #include "messages/error.hpp"
 #include "scene/fabric_file.hpp"
 #include "scene/text_file.hpp"
 
 #include <unistd.h>
-#include <cstdlib>
 #include <system_error>
 
 namespace drape::app {
 namespace {
 
 constexpr const char* fabricFileName = "fabrics.toml";
-
-std::string variable(const char* name) {
-  const char* value = std::getenv(name);  // NOLINT(concurrency-mt-unsafe): nothing changes the environment
-  return value == nullptr ? "" : value;
-}
 
 /// The file that a name stands for, so that a link stays a link.
 std::filesystem::path behindLinks(const std::filesystem::path& file) {
@@ -29,12 +24,8 @@ std::filesystem::path behindLinks(const std::filesystem::path& file) {
 }  // namespace
 
 std::filesystem::path usualFabricFile() {
-  // The specification of these folders ignores relative paths.
-  if (const std::filesystem::path folder = variable("XDG_CONFIG_HOME"); folder.is_absolute()) {
-    return folder / "drape" / fabricFileName;
-  }
-  const std::filesystem::path home = variable("HOME");
-  return home.is_absolute() ? home / ".config" / "drape" / fabricFileName : std::filesystem::path();
+  const std::filesystem::path folder = userFolder("XDG_CONFIG_HOME", ".config");
+  return folder.empty() ? folder : folder / fabricFileName;
 }
 
 FabricList::FabricList(const std::string& file, Missing missing)

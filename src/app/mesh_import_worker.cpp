@@ -1,5 +1,7 @@
-// drape-mesh-import FORMAT CPU_SECONDS: reads a mesh file from standard input and writes an ImportReply to standard
-// output. It is a separate program because the parsing library crashes or hangs on some damaged files.
+// drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE]: reads a mesh file from standard input and writes an
+// ImportReply to standard output. With a clip it also computes the frames of a skeletal animation. It is a separate
+// program because the parsing library crashes or hangs on some damaged files.
+#include "animation_baker.hpp"
 #include "io/chained_index.hpp"
 #include "io/import_protocol.hpp"
 #include "io/message_text.hpp"
@@ -25,6 +27,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -127,22 +130,12 @@ class ProgressTeller : public Assimp::ProgressHandler {
   char last_ = drape::io::progressByte(0.0);
 };
 
-/// Parses and triangulates. Drops data that cloth does not need (normals, colours, further texture coordinates).
-const aiScene& parse(Assimp::Importer& importer, const std::string& format, const std::string& bytes) {
+/// Parses and triangulates. `steps` are the steps of the library after reading.
+const aiScene& read(Assimp::Importer& importer, const std::string& format, const std::string& bytes, unsigned steps) {
   keepOnly(importer, format);
   importer.SetIOHandler(new NoOtherFiles);
   importer.SetProgressHandler(new ProgressTeller);
-  int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
-                 aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
-                 aiComponent_CAMERAS | aiComponent_MATERIALS;
-  // assimp supports eight sets of texture coordinates, but has flags for the first seven only.
-  constexpr unsigned flaggedSets = 7;
-  for (unsigned set = 1; set < flaggedSets; ++set) {
-    unwanted |= static_cast<int>(aiComponent_TEXCOORDSn(set));
-  }
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
-  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(),
-                                                     aiProcess_RemoveComponent | aiProcess_Triangulate, format.c_str());
+  const aiScene* scene = importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, format.c_str());
   if (scene == nullptr) {
     const std::string reason = importer.GetErrorString();
     if (reason.find("bad_alloc") != std::string::npos) {
@@ -154,6 +147,35 @@ const aiScene& parse(Assimp::Importer& importer, const std::string& format, cons
     throw InputError("there is no mesh in it. Export the mesh again.");
   }
   return *scene;
+}
+
+/// Parses and triangulates. Drops data that cloth does not need (normals, colours, further texture coordinates).
+const aiScene& parse(Assimp::Importer& importer, const std::string& format, const std::string& bytes) {
+  int unwanted = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+                 aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES | aiComponent_LIGHTS |
+                 aiComponent_CAMERAS | aiComponent_MATERIALS;
+  // assimp supports eight sets of texture coordinates, but has flags for the first seven only.
+  constexpr unsigned flaggedSets = 7;
+  for (unsigned set = 1; set < flaggedSets; ++set) {
+    unwanted |= static_cast<int>(aiComponent_TEXCOORDSn(set));
+  }
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, unwanted);
+  return read(importer, format, bytes, aiProcess_RemoveComponent | aiProcess_Triangulate);
+}
+
+/// The length of a unit of the file [m]. The readers of glTF and COLLADA return metres; that of FBX only tells the unit
+/// [cm].
+double unitOf(const aiScene& scene, const std::string& format) {
+  if (format != "fbx") {
+    return 1.0;
+  }
+  double exact = 1.0;
+  float stated = 1.0F;
+  if (scene.mMetaData != nullptr && !scene.mMetaData->Get("UnitScaleFactor", exact) &&
+      scene.mMetaData->Get("UnitScaleFactor", stated)) {
+    exact = static_cast<double>(stated);
+  }
+  return 0.01 * exact;
 }
 
 /// Appends the meshes of a scene to one raw mesh.
@@ -271,15 +293,33 @@ class Collector {
   RawMesh raw_;
 };
 
-ImportReply import(const std::string& format) {
-  ImportReply reply;
-  try {
-    const std::string bytes = readStandardInput();
-    Assimp::Importer importer;
-    const aiScene& scene = parse(importer, format, bytes);
+/// What to do with the file.
+struct Task {
+  std::string format;
+  std::optional<drape::app::BakeOptions> bake;  ///< absent: only the mesh
+};
+
+ImportReply perform(const Task& task, const std::string& bytes) {
+  Assimp::Importer importer;
+  if (!task.bake) {
+    const aiScene& scene = parse(importer, task.format, bytes);
     Collector collector(scene);
     collector.addNode(*scene.mRootNode, aiMatrix4x4());
+    ImportReply reply;
     reply.mesh = collector.take();
+    return reply;
+  }
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  const aiScene& scene = read(importer, task.format, bytes, aiProcess_Triangulate);
+  drape::app::BakeOptions bake = *task.bake;
+  bake.metresPerUnit *= unitOf(scene, task.format);
+  return drape::app::bakeAnimation(scene, bake);
+}
+
+ImportReply import(const Task& task) {
+  ImportReply reply;
+  try {
+    return perform(task, readStandardInput());
   } catch (const InputError& error) {
     reply.error = error.what();
   } catch (const std::bad_alloc&) {
@@ -291,13 +331,19 @@ ImportReply import(const std::string& format) {
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
-  if (argumentCount != 3 || isatty(STDIN_FILENO) != 0) {
+  const bool bakes = argumentCount == 6;
+  if ((argumentCount != 3 && !bakes) || isatty(STDIN_FILENO) != 0) {
     constexpr std::string_view usage =
-        "usage: drape-mesh-import FORMAT CPU_SECONDS < MESH > REPLY\nDrape starts this program; do not run it "
-        "directly.\n";
+        "usage: drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE] < MESH > REPLY\nDrape starts this program; do "
+        "not "
+        "run it directly.\n";
     return write(STDERR_FILENO, usage.data(), usage.size()) < 0 ? EXIT_FAILURE : 2;
   }
   limitThisProcess(std::strtol(arguments[2], nullptr, 10));
-  writeStandardOutput(drape::io::encodeReply(import(arguments[1])));
+  Task task{arguments[1], std::nullopt};
+  if (bakes) {
+    task.bake = {arguments[3], std::strtod(arguments[4], nullptr), std::strtod(arguments[5], nullptr)};
+  }
+  writeStandardOutput(drape::io::encodeReply(import(task)));
   return EXIT_SUCCESS;
 }

@@ -74,7 +74,7 @@ void InteractionController::handle(const InputEvent& event, const session::Snaps
 
 void InteractionController::lookAtScene(const scene::Scene& scene) {
   constexpr double authorsAspect = 4.0 / 3.0;
-  camera_ = render::Camera(scene.camera);
+  camera_.moveTo(scene.camera);
   camera_.zoom(std::max(1.0, authorsAspect * view_.height / view_.width));
 }
 
@@ -108,6 +108,12 @@ bool InteractionController::moveCamera(UiAction action, const session::Snapshot&
     case UiAction::ViewTop:
       lookFrom(render::Camera::Side::Top, snapshot);
       return true;
+    case UiAction::ToggleProjection:
+      camera_.useOrthographic(!camera_.isOrthographic());
+      return true;
+    case UiAction::ToggleTurntable:
+      turns_ = !turns_;
+      return true;
     default:
       return false;
   }
@@ -121,6 +127,61 @@ void InteractionController::moveCamera(const session::Snapshot& snapshot,
   const render::CameraBounds bounds = boundsAround(snapshot, camera_.pose());
   move(camera_);
   camera_.keepWithin(bounds);
+}
+
+void InteractionController::turn(double seconds, const session::Snapshot& snapshot) {
+  if (turns_) {
+    constexpr double turnTime = 12.0;  // [s]
+    moveCamera(snapshot,
+               [&](render::Camera& camera) { camera.orbit(2.0 * std::numbers::pi * seconds / turnTime, 0.0); });
+  }
+}
+
+VertexSelection::Projection InteractionController::toWindow() const {
+  return [this](const Vec3& point) {
+    return Vec2(camera_.project(point, static_cast<int>(view_.width), static_cast<int>(view_.height)) +
+                Vec2(view_.x, view_.y));
+  };
+}
+
+SelectionView InteractionController::selection(const session::Snapshot& snapshot) {
+  selection_.follow(snapshot);
+  return selection_.view(snapshot, toWindow());
+}
+
+bool InteractionController::select(UiAction action, const session::Snapshot& snapshot, UiOutput& output) {
+  selection_.follow(snapshot);
+  const std::vector<int>& vertices = selection_.vertices();
+  const auto pin = [&](bool pinned) {
+    if (vertices.empty()) {
+      output.hint = "No vertices are selected: B selects by a rectangle, L a border";
+    } else {
+      output.commands.emplace_back(pinsWith(snapshot, vertices, pinned));
+    }
+  };
+  switch (action) {
+    case UiAction::SelectRectangle:
+      selection_.use(SelectionMode::Rectangle);
+      return true;
+    case UiAction::SelectBorder:
+      selection_.use(SelectionMode::Border);
+      return true;
+    case UiAction::PinSelected:
+      pin(true);
+      return true;
+    case UiAction::ReleaseSelected:
+      pin(false);
+      return true;
+    case UiAction::TogglePinsSelected:
+      pin(!std::ranges::all_of(vertices, [&](int vertex) { return snapshot.model->pinned[vertex]; }));
+      return true;
+    case UiAction::EndSelection:
+      selection_.use(SelectionMode::Off);
+      selection_.clear();
+      return true;
+    default:
+      return false;
+  }
 }
 
 render::Ray InteractionController::rayThrough(const Vec2& position) const {
@@ -138,6 +199,10 @@ void InteractionController::on(const PressEvent& event, const session::Snapshot&
   if (!std::holds_alternative<Idle>(gesture_)) {
     return;  // one gesture at a time; another button does not end it
   }
+  if (event.button == MouseButton::Right) {
+    pickVertex(event, snapshot, output);
+    return;
+  }
   gestureButton_ = event.button;
   if (event.button == MouseButton::Left) {
     pressLeft(event, snapshot, output);
@@ -147,10 +212,15 @@ void InteractionController::on(const PressEvent& event, const session::Snapshot&
 }
 
 void InteractionController::pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
-  if (event.shift) {
+  if (selection_.mode() != SelectionMode::Off) {
+    using Change = VertexSelection::Change;
+    selection_.press(event.position, event.control ? Change::Remove : event.shift ? Change::Add : Change::Replace);
+    gesture_ = Selecting{};
+  } else if (event.shift) {
     gesture_ = Panning{};
   } else if (!recentreOnDoubleClick(event, snapshot) && !attach(event, snapshot, output) && !event.control) {
     gesture_ = Orbiting{};
+    turns_ = false;
   }
 }
 
@@ -166,6 +236,21 @@ bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const
     camera_.recentre(hit->point);
   }
   return true;
+}
+
+/// Picks the vertex nearest to the point of the cloth under the mouse, unless a body hides it.
+void InteractionController::pickVertex(const PressEvent& event, const session::Snapshot& snapshot,
+                                       UiOutput& output) const {
+  const render::Ray ray = rayThrough(event.position);
+  const auto hit = clothHitBy(ray, snapshot);
+  const auto body = bodyHitBy(ray, snapshot);
+  if (!hit || (body && body->hit.distance < hit->distance)) {
+    return;
+  }
+  Eigen::Index corner = 0;
+  hit->barycentric.maxCoeff(&corner);
+  output.requests.emplace_back(
+      PickVertexRequest{snapshot.model->triangles[hit->triangle][static_cast<std::size_t>(corner)]});
 }
 
 /// Starts to drag the nearest thing under the mouse: the cloth or a body.
@@ -190,11 +275,15 @@ void InteractionController::endGesture(UiOutput& output) {
   if (holdsCloth()) {
     output.commands.emplace_back(session::DetachCommand{});
   }
+  selection_.cancelDrag();
   gesture_ = Idle{};
 }
 
-void InteractionController::on(const ReleaseEvent& event, const session::Snapshot& /*snapshot*/, UiOutput& output) {
+void InteractionController::on(const ReleaseEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   if (event.button == gestureButton_) {
+    if (std::holds_alternative<Selecting>(gesture_)) {
+      selection_.release(snapshot, toWindow());
+    }
     endGesture(output);
   }
 }
@@ -207,6 +296,8 @@ void InteractionController::on(const MoveEvent& event, const session::Snapshot& 
                [&](render::Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
     moveCamera(snapshot, [&](render::Camera& camera) { camera.pan(-moved.x(), moved.y()); });
+  } else if (std::holds_alternative<Selecting>(gesture_)) {
+    selection_.drag(event.position);
   } else if (const auto* pulling = std::get_if<Pulling>(&gesture_)) {
     output.commands.emplace_back(session::MoveAttachmentCommand{movedTo(event.position, pulling->point)});
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
@@ -220,18 +311,27 @@ void InteractionController::on(const ScrollEvent& event, const session::Snapshot
 }
 
 void InteractionController::on(const KeyEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
-  const Shortcut& shortcut = shortcutOf(event.key);
-  if (event.repeated && !shortcut.repeats) {
+  // While Ctrl + drag pulls the cloth, the keys act as without Ctrl.
+  const Shortcut* shortcut = findShortcut(event.key, event.control && !holdsCloth(), event.shift);
+  if (shortcut == nullptr || (event.repeated && !shortcut->repeats)) {
     return;
   }
   if (event.key == Key::Escape && (holdsCloth() || holdsBody())) {
     endGesture(output);
-  } else if (const auto* action = std::get_if<UiAction>(&shortcut.action)) {
-    if (!moveCamera(*action, snapshot)) {
-      output.requests.emplace_back(*action);
-    }
-  } else {
-    output.commands.push_back(std::get<session::Command (*)(const session::Snapshot&)>(shortcut.action)(snapshot));
+    return;
+  }
+  if (event.key == Key::Escape && selects()) {
+    endGesture(output);
+    select(UiAction::EndSelection, snapshot, output);
+    return;
+  }
+  if (event.key == Key::P && !event.control && !holdsCloth() && !selection_.vertices().empty()) {
+    select(UiAction::TogglePinsSelected, snapshot, output);
+    return;
+  }
+  const auto* action = std::get_if<UiAction>(&shortcut->action);
+  if (action == nullptr || !(moveCamera(*action, snapshot) || select(*action, snapshot, output))) {
+    request(*shortcut, snapshot, output);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "session/snapshot.hpp"
 #include "ui/shortcuts.hpp"
 #include "ui/ui_output.hpp"
+#include "ui/vertex_selection.hpp"
 
 #include <functional>
 #include <memory>
@@ -33,6 +34,8 @@ struct ScrollEvent {
 struct KeyEvent {
   Key key = Key::Space;
   bool repeated = false;  ///< a repeat of a held key
+  bool control = false;   ///< whether Ctrl is held
+  bool shift = false;
 };
 /// The window lost the keyboard focus, which ends all gestures.
 struct FocusLostEvent {};
@@ -58,6 +61,19 @@ class InteractionController {
   /// Moves the camera when the action does that. False for other actions.
   bool moveCamera(UiAction action, const session::Snapshot& snapshot);
 
+  /// Puts the camera there.
+  void recall(const render::Camera& camera) { camera_ = camera; }
+
+  /// Turns the camera as a turntable, if it is one. @param seconds since the last call
+  void turn(double seconds, const session::Snapshot& snapshot);
+  [[nodiscard]] bool turns() const { return turns_; }
+
+  /// Selects vertices, or pins or releases the selected ones, when the action does that. False for other actions.
+  bool select(UiAction action, const session::Snapshot& snapshot, UiOutput& output);
+  /// The selected vertices, for the window.
+  [[nodiscard]] SelectionView selection(const session::Snapshot& snapshot);
+  [[nodiscard]] bool selects() const { return selection_.isActive(); }
+
   /// Whether a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
   [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Pulling>(gesture_); }
@@ -66,6 +82,7 @@ class InteractionController {
   struct Idle {};
   struct Orbiting {};
   struct Panning {};
+  struct Selecting {};
   struct Pulling {
     Vec3 point = Vec3::Zero();                  ///< the attached point [m]; sets the depth of the drag
     std::shared_ptr<const scene::Scene> scene;  ///< at the start of the gesture
@@ -87,6 +104,7 @@ class InteractionController {
 
   void pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot);
+  void pickVertex(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) const;
   bool attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void endGesture(UiOutput& output);
   void moveCamera(const session::Snapshot& snapshot, const std::function<void(render::Camera&)>& move);
@@ -95,9 +113,13 @@ class InteractionController {
   /// `point` moved parallel to the view to a position in the window.
   [[nodiscard]] Vec3 movedTo(const Vec2& position, const Vec3& point) const;
 
+  [[nodiscard]] VertexSelection::Projection toWindow() const;
+
   render::Camera camera_;
+  bool turns_ = false;  // as a turntable
+  VertexSelection selection_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
-  std::variant<Idle, Orbiting, Panning, Pulling, MovingBody> gesture_;
+  std::variant<Idle, Orbiting, Panning, Selecting, Pulling, MovingBody> gesture_;
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

@@ -24,7 +24,9 @@ void pushStyle(float padding, float opacity) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, padding * 0.5F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0F);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(std::round(padding), std::round(padding * 0.7F)));
-  ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.13F, 0.145F, 0.18F, opacity));
+  ImVec4 background = palette().overlay;
+  background.w = opacity;
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
 }
 
 /// Puts the next window, a dialog, into the middle of the view, but never beyond the edges of the window. A dialog
@@ -76,6 +78,20 @@ void OverlayStack::end() {
   popStyle();
 }
 
+void beginCorner(PanelContext& context, const std::string& name, const ImVec2& at, const ImVec2& pivot,
+                 OverlayStack::Mouse mouse) {
+  const bool taken = mouse == OverlayStack::Mouse::Taken;
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
+  pushStyle(12.0F * context.scale, 0.9F);
+  ImGui::Begin(name.c_str(), nullptr, overlayFlags | (taken ? 0 : ImGuiWindowFlags_NoInputs));
+  remember(context, name);
+}
+
+void endCorner() {
+  ImGui::End();
+  popStyle();
+}
+
 void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title) {
   const float padding = 18.0F * context.scale;
   const std::string window = "dialog." + name;
@@ -88,6 +104,12 @@ void beginDialog(PanelContext& context, const UiRect& view, const std::string& n
   ImGui::TextUnformatted(title.c_str());
   ImGui::PopFont();
   ImGui::Spacing();
+}
+
+// A pressed button is active and must not block the test.
+bool clickedBeside() {
+  constexpr ImGuiHoveredFlags anywhere = ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem;
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(anywhere);
 }
 
 void endDialog() {

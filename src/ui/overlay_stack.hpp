@@ -39,9 +39,19 @@ class OverlayStack {
   float textWidth_ = 0.0F;  // [window units]
 };
 
+/// Opens a box at a corner of the picture and stores its rectangle as `name`. endCorner() closes it.
+/// @param at a point in window units  @param pivot which point of the box is there: (0, 0) its upper left corner, (1,
+/// 1) its lower right one
+void beginCorner(PanelContext& context, const std::string& name, const ImVec2& at, const ImVec2& pivot,
+                 OverlayStack::Mouse mouse);
+void endCorner();
+
 /// Opens a box in the middle of the picture, with a title, and stores its rectangle as "overlay.NAME". endDialog()
 /// closes it.
 void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title);
 void endDialog();
+
+/// Whether a click hit the picture, not the open dialog. Call it before endDialog().
+[[nodiscard]] bool clickedBeside();
 
 }  // namespace drape::ui

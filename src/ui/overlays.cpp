@@ -17,7 +17,7 @@ struct HelpRow {
   std::string_view help;
 };
 
-constexpr std::array<HelpRow, 9> mouseHelp{{
+constexpr std::array<HelpRow, 10> mouseHelp{{
     {"Drag the cloth", "pull it"},
     {"Ctrl + drag", "pull it, and never turn the view"},
     {"Drag a body", "move it"},
@@ -25,14 +25,15 @@ constexpr std::array<HelpRow, 9> mouseHelp{{
     {"Middle or Shift + drag", "move the view"},
     {"Wheel", "zoom"},
     {"Double click", "centre the view on this point"},
+    {"Right click the cloth", "mark a vertex and show its values"},
     {"Drop files", "open a scene, a garment, a garment with a body"},
     {"Click the line below", "show the solver and its cost"},
 }};
 
 void helpTable(float scale, const char* title, std::span<const HelpRow> rows) {
   mutedText(title, palette().accent);
-  if (ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 165.0F * scale);
+  if (ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 160.0F * scale);
     for (const HelpRow& row : rows) {
       ImGui::TableNextColumn();
       ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
@@ -56,22 +57,27 @@ std::vector<HelpRow> keyHelp() {
 }
 
 constexpr const char* panelHelp =
-    "In the panels: Ctrl+click types a value. A right click restores the scene's value;\n"
-    "a dot marks a value that differs from it. \"Reset all\" restores every value.";
-
-/// Whether a click hit the picture. A pressed button is active and must not block the test.
-bool clickedBeside() {
-  constexpr ImGuiHoveredFlags anywhere = ImGuiHoveredFlags_AnyWindow | ImGuiHoveredFlags_AllowWhenBlockedByActiveItem;
-  return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsWindowHovered(anywhere);
-}
+    "In the panels: Ctrl+click types a value. A right click restores the scene's value, another one the default;\n"
+    "a dot marks a value that differs from the scene's. \"Reset all\" restores every value.";
 
 }  // namespace
 
 bool helpOverlay(PanelContext& context, const UiRect& view) {
   beginDialog(context, view, "help", "Keys and mouse");
+  // Side by side where the window is wide enough; below each other, the lists may have to scroll.
+  constexpr float wide = 960.0F;  // at scale 1
+  const bool isWide = ImGui::GetIO().DisplaySize.x > wide * context.scale;
+  ImGui::BeginGroup();
   helpTable(context.scale, "Mouse", mouseHelp);
-  ImGui::Spacing();
+  ImGui::EndGroup();
+  if (isWide) {
+    ImGui::SameLine(0.0F, 30.0F * context.scale);
+  } else {
+    ImGui::Spacing();
+  }
+  ImGui::BeginGroup();
   helpTable(context.scale, "Keys", keyHelp());
+  ImGui::EndGroup();
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
   ImGui::TextUnformatted(panelHelp);
@@ -122,9 +128,26 @@ void dragHint(OverlayStack& stack) {
   stack.end();
 }
 
+bool replaceQuestion(PanelContext& context, const UiRect& view, const std::string& file) {
+  beginDialog(context, view, "replace", "Replace the file?");
+  ImGui::TextUnformatted((file + " exists already.").c_str());
+  ImGui::Spacing();
+  const bool replace = iconButton(context, "replace", Icon::None, "Replace (Enter)", 150.0F * context.scale, true) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                       ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+  ImGui::SameLine();
+  const bool keep = iconButton(context, "keep", Icon::None, "Keep (Esc)", 130.0F * context.scale) || clickedBeside();
+  if (replace) {
+    context.output.requests.emplace_back(SaveSceneRequest{file, true});
+  }
+  endDialog();
+  return !replace && !keep;
+}
+
 bool quitQuestion(PanelContext& context, const UiRect& view) {
   beginDialog(context, view, "quit", "Quit?");
-  ImGui::TextUnformatted("Your changes to this scene would be lost.");
+  ImGui::TextUnformatted(context.stats.exporting ? "The export would stop, and changes of the scene be lost."
+                                                 : "Your changes to this scene would be lost.");
   ImGui::Spacing();
   const bool quit = iconButton(context, "quit", Icon::None, "Quit (Enter)", 130.0F * context.scale, true) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||

@@ -3,6 +3,7 @@
 #include "session/snapshot.hpp"
 #include "ui/measure_history.hpp"
 #include "ui/pending_settings.hpp"
+#include "ui/picked_vertices.hpp"
 #include "ui/theme.hpp"
 #include "ui/ui_output.hpp"
 
@@ -43,25 +44,41 @@ struct TypedText {
   int frames = 0;  ///< since the typing began
 };
 
+/// A row that the search shows: its section opens, it scrolls into sight, and it is marked for a moment.
+struct RevealedRow {
+  std::string key;         ///< of the setting, or "scene.path"; empty: none
+  double since = 0.0;      ///< [s]
+  bool isPending = false;  ///< whether it has not scrolled into sight yet
+};
+
 /// The state of the panels that persists between frames.
 struct PanelMemory {
   PendingSettings pending;
   TypedText typed;
-  std::optional<bool> openSections;  ///< open or close all sections in the next frame
-  History stepTimes;                 ///< [ms]
+  std::optional<bool> openSections;      ///< open or close all sections in the next frame
+  std::map<std::string, bool> sections;  ///< by title, whether the user opened or closed them
+  RevealedRow revealed;
+  History stepTimes;  ///< [ms]
   MeasureHistory measures;
   std::map<std::string, float> textHeights;  ///< of texts that appear and disappear
   std::int64_t lastStep = -1;                ///< the step of the history's last entry
   std::set<std::string> accepted;            ///< lines of the notice that the user answered
   std::string openSurface;                   ///< the body whose surface is visible
   std::string openPath;                      ///< the text of the open field
+  std::string savePath;                      ///< the text of the field that saves the cloth
+  std::string scenePath;                     ///< the text of the field that saves the scene
+  ExportRequest exported;                    ///< the choices for an export
   std::string fabricName;                    ///< the text of the field that names a fabric
   std::vector<scene::SceneInfo> scenes;      ///< the built-in ones
   std::string hoveredRow;                    ///< the row whose explanation will appear
   double hoveredSince = 0.0;                 ///< [s]
   bool hoveredThisFrame = false;
-  bool hasDragged = false;  ///< whether the user has ever dragged the cloth
-  std::string status;       ///< the full text of the status line
+  PickedVertices picked;
+  std::optional<double> scrubbed;  ///< time to which the timeline was dragged last [s]
+  bool plotsPicked = false;        ///< whether the values of picked vertices are plotted
+  std::size_t plottedField = 0;    ///< of the picked vertices; an index into fieldTable()
+  bool hasDragged = false;         ///< whether the user has ever dragged the cloth
+  std::string status;              ///< the full text of the status line
 };
 
 /// The data of a panel while it is drawn.
@@ -72,6 +89,7 @@ struct PanelContext {
   const UiStats& stats;
   const UiFonts& fonts;
   float scale;  ///< of all lengths
+  Theme theme;
   PanelMemory& memory;
   UiRects& widgets;  ///< receives the rectangles of the settings, by key
   UiRects& buttons;  ///< receives all other clickable rectangles

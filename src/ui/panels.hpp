@@ -4,6 +4,8 @@
 #include "ui/overlay_stack.hpp"
 #include "ui/panel_context.hpp"
 
+#include <string_view>
+
 namespace drape::ui {
 
 /// The sections of the column (sections.cpp has their table): a heading each and, when open, the settings of its group.
@@ -23,6 +25,25 @@ void contactRows(PanelContext& context);
 void sceneRows(PanelContext& context);
 void meshRows(PanelContext& context);
 
+/// The row of the section View that chooses the theme.
+void themeRow(PanelContext& context);
+
+/// The list of files that were opened before; nothing while there are none.
+void recentFilesRow(PanelContext& context);
+
+/// The title of the section Export, which is also the name by which it is shown, and its rows.
+inline constexpr std::string_view exportSection = "Export";
+void exportRows(PanelContext& context);
+
+/// The row that starts a selection of vertices.
+void selectRow(PanelContext& context);
+
+/// The selected vertices in the picture, and a box with what can be done with them. Nothing while there are none.
+void selectionBox(PanelContext& context, const UiRect& view);
+
+/// The rows of the section View for the camera.
+void cameraRows(PanelContext& context);
+
 /// Rows of the section Performance.
 void performanceRows(PanelContext& context);
 
@@ -40,6 +61,21 @@ double statusLine(PanelContext& context, const UiRect& place);
 /// The file or scene in progress, and how far it is.
 void loadingNotice(PanelContext& context, OverlayStack& stack);
 
+/// The export that is under way, how far it is, and a button that cancels it.
+void exportNotice(PanelContext& context, OverlayStack& stack);
+
+/// The legend of the colour map at a corner of the picture, or why its quantity does not exist. Nothing while it is
+/// off.
+/// @param above height of what lies below it [window units]
+void colourLegend(PanelContext& context, const UiRect& view, float above);
+
+/// The slider of the timeline at the bottom of the picture. Nothing without recorded states.
+/// @return the height that it takes [window units]
+float timelineBar(PanelContext& context, const UiRect& view);
+
+/// The values at picked vertices, at a corner of the picture. Nothing without any.
+void pickedPanel(PanelContext& context, const UiRect& view);
+
 /// The hint for a new user.
 void dragHint(OverlayStack& stack);
 
@@ -54,6 +90,9 @@ void readingNotice(PanelContext& context, OverlayStack& stack);
 /// OpenPartsRequest. False once it is answered.
 [[nodiscard]] bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files,
                                 std::size_t& cloth);
+
+/// Asks before a scene file is replaced. False once it is answered.
+[[nodiscard]] bool replaceQuestion(PanelContext& context, const UiRect& view, const std::string& file);
 
 /// Asks before changes are lost. False once it is answered.
 [[nodiscard]] bool quitQuestion(PanelContext& context, const UiRect& view);

@@ -36,6 +36,11 @@ bool hasChanges(const session::Snapshot& snapshot, const scene::Scene& opened) {
   return settingsDiffer(snapshot.settings, opened.settings, false) || pinsOrBodiesDiffer(snapshot);
 }
 
+bool hasChanges(const session::UserState& now, const session::UserState& saved) {
+  return now.bodies != saved.bodies || !session::havePinsInCommon(now, saved) ||
+         settingsDiffer(now.settings, saved.settings, false);
+}
+
 bool differsFromScene(const session::Snapshot& snapshot, const settings::Settings& inForce) {
   return settingsDiffer(inForce, snapshot.scene->description.settings, true) || pinsOrBodiesDiffer(snapshot);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "session/snapshot.hpp"
+#include "session/user_state.hpp"
 
 namespace drape::ui {
 
@@ -8,6 +8,9 @@ namespace drape::ui {
 /// presence.
 /// @param opened the scene as it was opened, with the settings of the command line
 [[nodiscard]] bool hasChanges(const session::Snapshot& snapshot, const scene::Scene& opened);
+
+/// The same between two states of the user.
+[[nodiscard]] bool hasChanges(const session::UserState& now, const session::UserState& saved);
 
 /// Whether "Reset all" would change a setting, a pin or a body.
 [[nodiscard]] bool differsFromScene(const session::Snapshot& snapshot, const settings::Settings& inForce);

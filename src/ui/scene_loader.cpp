@@ -113,6 +113,9 @@ void useWindowDefaults(settings::Settings& settings) {
   constexpr double visibleStrain = 0.01;  // less is invisible
   double& limit = settings.step.automatic.strainLimit;
   limit = limit > 0.0 ? limit : visibleStrain;
+  constexpr double usualMemory = 200.0;  // [1e6 bytes]
+  double& memory = settings.timeline.memory;
+  memory = memory > 0.0 ? memory : usualMemory;
   constexpr int maxThreads = 64;  // of the setting
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   int& threads = settings.step.threads;
@@ -125,23 +128,13 @@ void carryViewSettings(const settings::Settings& current, const settings::Settin
       settings::assignSetting(target, *info, settings::settingValue(current, *info));
     }
   }
-}
-
-std::vector<session::Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {
-  const auto values = settings::fabricValueKeys();
-  bool otherFabric = false;
-  std::vector<session::Command> changes;
-  for (const settings::SettingInfo* info : settings::differingSettings(from, to)) {
-    if (info->isPreset || std::find(values.begin(), values.end(), info->key) != values.end()) {
-      otherFabric = true;
-    } else if (info->effect != settings::SettingEffect::Scene) {
-      changes.emplace_back(session::SetSettingCommand{std::string(info->key), settings::settingValue(to, *info)});
+  // A setting that also sets another one must not change what the user chose there.
+  for (const settings::SettingInfo& info : settings::settingsTable()) {
+    if (info.group == settings::SettingGroup::View && !info.alsoKey.empty()) {
+      const settings::SettingInfo& other = settings::requireSetting(info.alsoKey);
+      settings::assignSetting(target, other, settings::settingValue(current, other));
     }
   }
-  if (otherFabric) {
-    changes.emplace_back(session::UseFabricCommand{settings::fabricOf(to, to.fabric.preset)});
-  }
-  return changes;
 }
 
 }  // namespace drape::ui

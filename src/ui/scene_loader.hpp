@@ -2,7 +2,6 @@
 
 #include "scene/scene.hpp"
 #include "scene/scene_parts.hpp"
-#include "session/command.hpp"
 
 #include <atomic>
 #include <functional>
@@ -11,7 +10,6 @@
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 namespace drape::ui {
 
@@ -82,9 +80,5 @@ void useWindowDefaults(settings::Settings& settings);
 /// Another scene keeps the user's changes of the view: `target`, the settings of the next scene, takes each view
 /// setting that differs between `current` and `own`, the present scene's original settings.
 void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target);
-
-/// The changes from `from` to `to` that need no rebuild of the scene. The values of a fabric change together.
-[[nodiscard]] std::vector<session::Command> runningChanges(const settings::Settings& from,
-                                                           const settings::Settings& to);
 
 }  // namespace drape::ui

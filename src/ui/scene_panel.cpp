@@ -7,20 +7,66 @@
 namespace drape::ui {
 namespace {
 
+/// A path with a button.
+struct PathField {
+  const char* title;
+  const char* hint;
+  const char* name;  ///< of the field, for tests
+  const char* button;
+  const char* explanation;
+};
+
+/// @return whether the user has confirmed the path
+bool pathField(PanelContext& context, const PathField& field, std::string& path) {
+  const UiRect row = beginRow(context, field.title);
+  ImGui::PushID(field.name);
+  if (context.memory.revealed.key == field.name && context.memory.revealed.isPending) {
+    ImGui::SetKeyboardFocusHere();
+  }
+  const float button = ImGui::CalcTextSize(field.button).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool entered = ImGui::InputTextWithHint("##path", field.hint, &path, ImGuiInputTextFlags_EnterReturnsTrue);
+  context.buttons[field.name] = lastItemRect();
+  explainItem(context, field.name, field.explanation);
+  ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+  const bool pressed = ImGui::Button(field.button);
+  context.buttons[std::string(field.name) + ".button"] = lastItemRect();
+  revealRow(context, field.name, row);
+  ImGui::PopID();
+  return entered || pressed;
+}
+
 void openField(PanelContext& context) {
   std::string& path = context.memory.openPath;
-  beginRow(context, "Open a file");
-  const float button = ImGui::CalcTextSize("Open").x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemInnerSpacing.x);
-  const bool entered = ImGui::InputTextWithHint("##path", "path", &path, ImGuiInputTextFlags_EnterReturnsTrue);
-  context.buttons["scene.path"] = lastItemRect();
-  explainItem(context, "scene.path",
-              "A scene (.toml) or a mesh (.obj and others). Files can also be dropped on the window.");
-  ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
-  const bool pressed = ImGui::Button("Open");
-  context.buttons["button.open"] = lastItemRect();
-  if ((entered || pressed) && !path.empty()) {
+  if (pathField(context,
+                {"Open a file", "path", "scene.path", "Open",
+                 "A scene (.toml) or a mesh (.obj and others). Ctrl+O shows a dialog. Files can also be dropped on the "
+                 "window."},
+                path) &&
+      !path.empty()) {
     context.output.requests.emplace_back(OpenSceneRequest{path});
+  }
+}
+
+void saveField(PanelContext& context) {
+  std::string& path = context.memory.savePath;
+  if (pathField(context,
+                {"Save cloth", "name.obj", "cloth.path", "Save",
+                 "Writes the cloth as it is now to a new file: .obj, .ply, .glb, .usda and others. Without a name: an "
+                 "OBJ in the current folder (E)."},
+                path)) {
+    context.output.requests.emplace_back(SaveClothRequest{path});
+  }
+}
+
+void saveSceneField(PanelContext& context) {
+  std::string& path = context.memory.scenePath;
+  if (pathField(context,
+                {"Save scene", "name.toml", "scene.save", "Save",
+                 "Writes the scene to a new file, with the present settings, pins and bodies. It opens at the start of "
+                 "the scene. Without a name: to the current folder (Ctrl+S)."},
+                path)) {
+    context.output.requests.emplace_back(SaveSceneRequest{path});
   }
 }
 
@@ -28,6 +74,9 @@ void openField(PanelContext& context) {
 
 void sceneRows(PanelContext& context) {
   openField(context);
+  recentFilesRow(context);
+  saveSceneField(context);
+  saveField(context);
   if (!context.snapshot.scene->description.help.empty()) {
     mutedText(context.snapshot.scene->description.help);
   }
@@ -46,6 +95,7 @@ void meshRows(PanelContext& context) {
     }
   }
   factRow(context, "pinned", text::formatCount(countPins(*context.snapshot.model)) + " vertices");
+  selectRow(context);
   for (const std::string& warning : summary.warnings) {
     mutedText(warning, palette().warning);
   }

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace drape::ui {
 namespace {
@@ -20,7 +22,17 @@ void airRows(PanelContext& context) {
   }
 }
 
+/// Why the colour map shows nothing.
+void colourMapProblem(PanelContext& context) {
+  const fields::ShownField* shown = context.stats.field;
+  if (shown != nullptr) {
+    steadyText(context, "colour_map.problem", shown->problem, palette().warning);
+  }
+}
+
 void viewButtons(PanelContext& context) {
+  themeRow(context);
+  colourMapProblem(context);
   struct ViewButton {
     const char* name;
     const char* word;
@@ -44,6 +56,7 @@ void viewButtons(PanelContext& context) {
     }
     explainItem(context, buttons[i].name, buttons[i].help);
   }
+  cameraRows(context);
 }
 
 void ghostRows(PanelContext& context) {
@@ -86,19 +99,20 @@ bool showsGhost(const PanelContext& context) {
 
 /// A section of the column: a group of settings, with rows above and below them.
 struct Section {
-  const char* title = nullptr;
+  std::string_view title;
   bool (*isOpenAtFirst)(const PanelContext& context) = nullptr;
   std::optional<settings::SettingGroup> group;  ///< its settings; empty: none
   void (*rowsBelow)(PanelContext& context) = nullptr;
   void (*rowsAbove)(PanelContext& context) = nullptr;
 };
 
-constexpr std::array<Section, 9> sections{{
+constexpr std::array<Section, 10> sections{{
     {"Material", startsOpen, settings::SettingGroup::Material, materialRows},
     {"Air", startsOpen, settings::SettingGroup::Air, airRows},
     {"Simulation", startsOpen, settings::SettingGroup::Simulation},
     {"Contact", contactMatters, settings::SettingGroup::Contact, contactRows},
     {"Scene", startsOpen, settings::SettingGroup::Scene, meshRows, sceneRows},
+    {exportSection, startsClosed, std::nullopt, exportRows},
     {"View", startsClosed, settings::SettingGroup::View, viewButtons},
     {"Ghost", showsGhost, settings::SettingGroup::Ghost, ghostRows},
     {"Performance", startsClosed, std::nullopt, performanceRows},
@@ -107,9 +121,25 @@ constexpr std::array<Section, 9> sections{{
 
 }  // namespace
 
+namespace {
+
+/// Whether the search shows this section or a row of it.
+bool holdsRevealed(const PanelContext& context, const Section& section) {
+  const RevealedRow& revealed = context.memory.revealed;
+  if (revealed.key == exportSection) {
+    return revealed.isPending && section.title == exportSection;
+  }
+  const settings::SettingInfo* info = settings::findSetting(revealed.key);
+  const auto group = info == nullptr ? settings::SettingGroup::Scene : info->group;
+  return revealed.isPending && section.group == group;
+}
+
+}  // namespace
+
 void drawSections(PanelContext& context) {
   for (const Section& section : sections) {
-    if (!beginSection(context, section.title, section.isOpenAtFirst(context))) {
+    if (!beginSection(context, std::string(section.title), section.isOpenAtFirst(context),
+                      holdsRevealed(context, section))) {
       continue;
     }
     if (section.rowsAbove != nullptr) {

@@ -3,6 +3,7 @@
 #include "messages/error.hpp"
 #include "settings/own_fabrics.hpp"
 #include "ui/number_slider.hpp"
+#include "ui/setting_text.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -135,10 +136,6 @@ std::string shortValue(const settings::SettingValue& value) {
   return fmt::format("{:.6g}", *number);
 }
 
-std::string withUnit(const std::string& text, std::string_view unit) {
-  return unit == "-" ? text : text + " " + prettyUnit(unit);
-}
-
 void explain(const PanelContext& context, const settings::SettingInfo& info, const UiRect& row) {
   beginExplanation(context, &row);
   ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
@@ -154,8 +151,8 @@ void explain(const PanelContext& context, const settings::SettingInfo& info, con
   ImGui::Spacing();
   const bool typed = std::holds_alternative<settings::NumberField>(info.field) ||
                      std::holds_alternative<settings::IntegerField>(info.field);
-  ImGui::TextWrapped("%s", typed ? "Ctrl+click types a value. A right click restores the scene's value."
-                                 : "A right click restores the scene's value.");
+  ImGui::TextWrapped("%sA right click restores the scene's value, another one the default.",
+                     typed ? "Ctrl+click types a value. " : "");
   ImGui::PopStyleColor();
   endExplanation();
 }
@@ -213,13 +210,20 @@ void changeSetting(PanelContext& context, const settings::SettingInfo& info, con
 
 namespace {
 
-/// The scene's value. A fabric that the scene gives by single values has no name that would restore them.
-void restoreSetting(PanelContext& context, const settings::SettingInfo& info, const settings::SettingValue& value) {
-  if (info.isPreset) {
+/// Restores the value of the scene, or the default where the scene's is in force. A fabric that the scene gives by
+/// single values has no name that would restore them.
+void restoreSetting(PanelContext& context, const settings::SettingInfo& info) {
+  const settings::SettingValue value = settings::settingValue(context.settings, info);
+  const settings::SettingValue ofScene = settings::settingValue(context.sceneSettings, info);
+  if (value == ofScene) {
+    if (const settings::SettingValue usual = settings::defaultValue(info); value != usual) {
+      changeSetting(context, info, usual);
+    }
+  } else if (info.isPreset) {
     context.output.commands.emplace_back(
         session::UseFabricCommand{settings::fabricOf(context.sceneSettings, context.sceneSettings.fabric.preset)});
   } else {
-    changeSetting(context, info, value);
+    changeSetting(context, info, ofScene);
   }
 }
 
@@ -235,13 +239,14 @@ void settingWidget(PanelContext& context, const settings::SettingInfo& info) {
   context.widgets[key] = lastItemRect();
   applyEdit(context, info, edit);
   if (hoversRow(row)) {
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right) && value != sceneValue) {
-      restoreSetting(context, info, sceneValue);
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+      restoreSetting(context, info);
     }
     if (hoveredLongEnough(context, key)) {
       explain(context, info, row);
     }
   }
+  revealRow(context, key, row);
   ImGui::PopID();
 }
 
@@ -254,6 +259,12 @@ bool isFolded(const settings::SettingInfo& info) {
   return info.key != "fabric.density" && std::find(keys.begin(), keys.end(), info.key) != keys.end();
 }
 
+bool revealsFolded(const PanelContext& context) {
+  const RevealedRow& revealed = context.memory.revealed;
+  const settings::SettingInfo* info = settings::findSetting(revealed.key);
+  return revealed.isPending && info != nullptr && isFolded(*info);
+}
+
 }  // namespace
 
 void settingsOfGroup(PanelContext& context, settings::SettingGroup group) {
@@ -263,7 +274,7 @@ void settingsOfGroup(PanelContext& context, settings::SettingGroup group) {
       continue;
     }
     if (isFolded(info)) {
-      unfolded = unfolded ? unfolded : beginFold(context, "Moduli and damping", "moduli");
+      unfolded = unfolded ? unfolded : beginFold(context, "Moduli and damping", "moduli", revealsFolded(context));
       if (!*unfolded) {
         continue;
       }

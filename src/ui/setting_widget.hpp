@@ -7,7 +7,7 @@ namespace drape::ui {
 
 /// Draws the row of one setting from its entry in the settings table: a slider, a check box or a choice of words, with
 /// range, unit and an explanation on hovering. A change becomes a command or, when the mesh depends on it, a request to
-/// rebuild the scene. A right click restores the scene's value.
+/// rebuild the scene. A right click restores the scene's value, another one the default.
 void settingWidget(PanelContext& context, const settings::SettingInfo& info);
 
 /// Draws all settings of a group that apply now, in the order of the table.

@@ -13,29 +13,73 @@ std::span<const Shortcut> shortcuts() {
                }},
       Shortcut{Key::Period, ".", "one step",
                [](const session::Snapshot&) -> session::Command { return session::SingleStepCommand{}; }, true},
+      Shortcut{Key::Comma, ",", "one recorded state back",
+               [](const session::Snapshot&) -> session::Command { return session::StepBackCommand{}; }, true},
       Shortcut{Key::R, "R", "return to the start",
                [](const session::Snapshot&) -> session::Command { return session::ResetCommand{}; }},
-      Shortcut{Key::P, "P", "pin the pulled vertex, or release it",
+      Shortcut{Key::B, "B", "select vertices by a rectangle or a click", UiAction::SelectRectangle},
+      Shortcut{Key::L, "L", "select an open border", UiAction::SelectBorder},
+      Shortcut{Key::None, "", "pin the selected vertices", UiAction::PinSelected},
+      Shortcut{Key::None, "", "release the selected vertices", UiAction::ReleaseSelected},
+      Shortcut{Key::P, "P", "pin the pulled vertex or the selected ones, or release them",
                [](const session::Snapshot&) -> session::Command { return session::TogglePinCommand{}; }},
       Shortcut{Key::F, "F", "frame the cloth", UiAction::FrameCloth},
-      Shortcut{Key::One, "1   3   7", "front, right, top", UiAction::ViewFront},
-      Shortcut{Key::Three, "", "", UiAction::ViewRight},
-      Shortcut{Key::Seven, "", "", UiAction::ViewTop},
+      Shortcut{Key::One, "1", "look from the front", UiAction::ViewFront},
+      Shortcut{Key::Three, "3", "look from the right", UiAction::ViewRight},
+      Shortcut{Key::Seven, "7", "look from the top", UiAction::ViewTop},
+      Shortcut{Key::Five, "5", "perspective or orthographic view", UiAction::ToggleProjection},
+      Shortcut{Key::T, "T", "turntable: turn around the cloth", UiAction::ToggleTurntable},
+      Shortcut{Key::F5, "F5 to F8", "return to kept view 1, 2, 3 or 4", UiAction::RecallView1},
+      Shortcut{Key::F6, "", "return to kept view 2", UiAction::RecallView2},
+      Shortcut{Key::F7, "", "return to kept view 3", UiAction::RecallView3},
+      Shortcut{Key::F8, "", "return to kept view 4", UiAction::RecallView4},
+      Shortcut{Key::F5, "Ctrl+F5 to F8", "keep this view as 1, 2, 3 or 4", UiAction::KeepView1, false, true},
+      Shortcut{Key::F6, "", "keep this view as 2", UiAction::KeepView2, false, true},
+      Shortcut{Key::F7, "", "keep this view as 3", UiAction::KeepView3, false, true},
+      Shortcut{Key::F8, "", "keep this view as 4", UiAction::KeepView4, false, true},
       Shortcut{Key::W, "W", "wireframe",
                [](const session::Snapshot& snapshot) -> session::Command {
                  return session::SetSettingCommand{"view.wireframe", !snapshot.settings.view.wireframe};
                }},
       Shortcut{Key::H, "H", "hide and show the panels", UiAction::TogglePanels},
+      Shortcut{Key::P, "Ctrl+P   /", "find a setting, a command or a scene", UiAction::Search, false, true},
+      Shortcut{Key::Slash, "", "", UiAction::Search},
+      Shortcut{Key::Z, "Ctrl+Z", "undo", UiAction::Undo, true, true},
+      Shortcut{Key::Z, "Ctrl+Shift+Z   Ctrl+Y", "redo", UiAction::Redo, true, true, true},
+      Shortcut{Key::Y, "", "", UiAction::Redo, true, true},
+      Shortcut{Key::None, "", "reset all: settings, pins and bodies of the scene", UiAction::ResetAll},
+      Shortcut{Key::O, "Ctrl+O", "open a file", UiAction::OpenFile, false, true},
+      Shortcut{Key::S, "Ctrl+S", "save the scene (TOML)", UiAction::SaveScene, false, true},
+      Shortcut{Key::None, "", "light or dark panels", UiAction::NextTheme},
+      Shortcut{Key::None, "", "untangle the cloth",
+               [](const session::Snapshot&) -> session::Command { return session::UntangleCommand{}; }},
       Shortcut{Key::F12, "F12", "save a picture", UiAction::Screenshot},
+      Shortcut{Key::E, "E", "save the cloth (OBJ)", UiAction::SaveCloth},
+      Shortcut{Key::E, "Ctrl+E", "export a frame, the motion or a film", UiAction::ShowExport, false, true},
       Shortcut{Key::Help, "F1   ?", "this list", UiAction::ToggleHelp},
       Shortcut{Key::Escape, "Esc", "release, close, stop reading a file, quit", UiAction::Quit},
   };
   return table;
 }
 
-const Shortcut& shortcutOf(Key key) {
+const Shortcut* findShortcut(Key key, bool control, bool shift) {
   const std::span<const Shortcut> table = shortcuts();
-  return *std::find_if(table.begin(), table.end(), [&](const Shortcut& shortcut) { return shortcut.key == key; });
+  const auto find = [&](bool withControl) -> const Shortcut* {
+    const auto found = std::ranges::find_if(table, [&](const Shortcut& each) {
+      return each.key == key && each.control == withControl && (!withControl || each.shift == shift);
+    });
+    return found == table.end() || key == Key::None ? nullptr : &*found;
+  };
+  const Shortcut* withControl = control ? find(true) : nullptr;
+  return withControl != nullptr ? withControl : find(false);
+}
+
+void request(const Shortcut& shortcut, const session::Snapshot& snapshot, UiOutput& output) {
+  if (const auto* action = std::get_if<UiAction>(&shortcut.action)) {
+    output.requests.emplace_back(*action);
+  } else {
+    output.commands.push_back(std::get<session::Command (*)(const session::Snapshot&)>(shortcut.action)(snapshot));
+  }
 }
 
 }  // namespace drape::ui

@@ -34,55 +34,102 @@ void applySizes(ImGuiStyle& style) {
 
 void applyColours(ImGuiStyle& style) {
   const Palette& colours = palette();
+  const ImVec4 none{0.0F, 0.0F, 0.0F, 0.0F};
   auto& slot = style.Colors;
   slot[ImGuiCol_Text] = colours.text;
   slot[ImGuiCol_TextDisabled] = colours.muted;
   slot[ImGuiCol_WindowBg] = colours.panel;
-  slot[ImGuiCol_ChildBg] = rgb(0x000000, 0.0F);
-  slot[ImGuiCol_PopupBg] = rgb(0x242933);
+  slot[ImGuiCol_ChildBg] = none;
+  slot[ImGuiCol_PopupBg] = colours.popup;
   slot[ImGuiCol_Border] = colours.line;
   slot[ImGuiCol_FrameBg] = colours.field;
-  slot[ImGuiCol_FrameBgHovered] = rgb(0x343B49);
-  slot[ImGuiCol_FrameBgActive] = rgb(0x3A4252);
-  slot[ImGuiCol_ScrollbarBg] = rgb(0x000000, 0.0F);
-  slot[ImGuiCol_ScrollbarGrab] = rgb(0x3A4150);
-  slot[ImGuiCol_ScrollbarGrabHovered] = rgb(0x4A5264);
-  slot[ImGuiCol_ScrollbarGrabActive] = rgb(0x586176);
+  slot[ImGuiCol_FrameBgHovered] = colours.fieldHovered;
+  slot[ImGuiCol_FrameBgActive] = colours.fieldActive;
+  slot[ImGuiCol_ScrollbarBg] = none;
+  slot[ImGuiCol_ScrollbarGrab] = colours.buttonHovered;
+  slot[ImGuiCol_ScrollbarGrabHovered] = colours.buttonActive;
+  slot[ImGuiCol_ScrollbarGrabActive] = colours.muted;
   slot[ImGuiCol_CheckMark] = colours.accent;
   slot[ImGuiCol_SliderGrab] = colours.accent;
-  slot[ImGuiCol_SliderGrabActive] = rgb(0x9CCBFF);
-  slot[ImGuiCol_Button] = rgb(0x2F3541);
-  slot[ImGuiCol_ButtonHovered] = rgb(0x3A4252);
-  slot[ImGuiCol_ButtonActive] = rgb(0x465064);
-  slot[ImGuiCol_Header] = rgb(0x000000, 0.0F);
-  slot[ImGuiCol_HeaderHovered] = rgb(0x2B303B);
-  slot[ImGuiCol_HeaderActive] = rgb(0x333A47);
+  slot[ImGuiCol_SliderGrabActive] = colours.accentHovered;
+  slot[ImGuiCol_Button] = colours.button;
+  slot[ImGuiCol_ButtonHovered] = colours.buttonHovered;
+  slot[ImGuiCol_ButtonActive] = colours.buttonActive;
+  slot[ImGuiCol_Header] = none;
+  slot[ImGuiCol_HeaderHovered] = colours.heading;
+  slot[ImGuiCol_HeaderActive] = colours.headingActive;
   slot[ImGuiCol_Separator] = colours.line;
-  slot[ImGuiCol_TextSelectedBg] = rgb(0x3D6FA8, 0.7F);
+  slot[ImGuiCol_TextSelectedBg] = colours.selected;
   slot[ImGuiCol_NavHighlight] = colours.accent;
+}
+
+/// The palettes, in the order of themes().
+const std::array<Palette, 2>& palettes() {
+  static const std::array<Palette, 2> list{{
+      {
+          .text = rgb(0xE8EAEE),
+          .muted = rgb(0xA3ACBB),
+          .accent = rgb(0x6FB3FA),
+          .accentFill = rgb(0x34557C),
+          .accentHovered = rgb(0x406999),
+          .panel = rgb(0x1B1E25),
+          .overlay = rgb(0x21252E),
+          .popup = rgb(0x242933),
+          .field = rgb(0x292E38),
+          .fieldHovered = rgb(0x343B49),
+          .fieldActive = rgb(0x3A4252),
+          .button = rgb(0x2F3541),
+          .buttonHovered = rgb(0x3A4252),
+          .buttonActive = rgb(0x465064),
+          .heading = rgb(0x2B303B),
+          .headingActive = rgb(0x333A47),
+          .line = rgb(0x323844),
+          .selected = rgb(0x3D6FA8, 0.7F),
+          .good = rgb(0x7CC58E),
+          .warning = rgb(0xEDBB5F),
+          .error = rgb(0xF58A84),
+          .ghost = rgb(0x63D08A),
+          .plot = {rgb(0x6FB3FA), rgb(0xF2A65A), rgb(0xC792EA), rgb(0xF2F4F8), rgb(0xF06A8A)},
+      },
+      {
+          .text = rgb(0x1B1F26),
+          .muted = rgb(0x535D6C),
+          .accent = rgb(0x1666BE),
+          .accentFill = rgb(0xA9CBF1),
+          .accentHovered = rgb(0x8FBBEB),
+          .panel = rgb(0xF1F3F6),
+          .overlay = rgb(0xFAFBFC),
+          .popup = rgb(0xFFFFFF),
+          .field = rgb(0xDDE2E9),
+          .fieldHovered = rgb(0xD1D8E2),
+          .fieldActive = rgb(0xC6CFDB),
+          .button = rgb(0xDBE0E8),
+          .buttonHovered = rgb(0xCBD3DE),
+          .buttonActive = rgb(0xB9C4D3),
+          .heading = rgb(0xE2E7EE),
+          .headingActive = rgb(0xD5DCE6),
+          .line = rgb(0xC4CCD7),
+          .selected = rgb(0x8FBBEB, 0.8F),
+          .good = rgb(0x1F7A3F),
+          .warning = rgb(0x8F5200),
+          .error = rgb(0xB3261E),
+          .ghost = rgb(0x17803F),
+          .plot = {rgb(0x1666BE), rgb(0xB85A08), rgb(0x7D3FBF), rgb(0x2A303A), rgb(0xC02B55)},
+      },
+  }};
+  return list;
 }
 
 }  // namespace
 
 const Palette& palette() {
-  static const Palette colours{
-      .text = rgb(0xE8EAEE),
-      .muted = rgb(0xA3ACBB),
-      .accent = rgb(0x6FB3FA),
-      .accentFill = rgb(0x34557C),
-      .panel = rgb(0x1B1E25),
-      .field = rgb(0x292E38),
-      .line = rgb(0x323844),
-      .good = rgb(0x7CC58E),
-      .warning = rgb(0xEDBB5F),
-      .error = rgb(0xF58A84),
-      .ghost = rgb(0x63D08A),
-      .plot = {rgb(0x6FB3FA), rgb(0xF2A65A), rgb(0xC792EA), rgb(0xF2F4F8), rgb(0xF06A8A)},
-  };
-  return colours;
+  const auto* chosen = static_cast<const Palette*>(ImGui::GetIO().UserData);
+  return chosen == nullptr ? palettes().front() : *chosen;
 }
 
-void applyTheme(ImGuiStyle& style, float scale) {
+void applyTheme(ImGuiStyle& style, Theme theme, float scale) {
+  // ImGui keeps this pointer with the context, so that there is no global state besides it.
+  ImGui::GetIO().UserData = const_cast<Palette*>(&palettes()[static_cast<std::size_t>(theme)]);  // NOLINT
   style = ImGuiStyle();
   applySizes(style);
   applyColours(style);

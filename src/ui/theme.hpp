@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/theme_choice.hpp"
+
 #include <imgui.h>
 
 #include <array>
@@ -12,9 +14,20 @@ struct Palette {
   ImVec4 muted;       ///< labels and explanations
   ImVec4 accent;      ///< active or draggable things
   ImVec4 accentFill;  ///< the filled part of a slider
-  ImVec4 panel;       ///< background of the column and the status line
-  ImVec4 field;       ///< background of a widget
-  ImVec4 line;        ///< thin separators
+  ImVec4 accentHovered;
+  ImVec4 panel;    ///< background of the column and the status line
+  ImVec4 overlay;  ///< background of a box over the picture
+  ImVec4 popup;    ///< background of a drop-down list and a tooltip
+  ImVec4 field;    ///< background of a widget
+  ImVec4 fieldHovered;
+  ImVec4 fieldActive;
+  ImVec4 button;
+  ImVec4 buttonHovered;
+  ImVec4 buttonActive;
+  ImVec4 heading;  ///< background of a heading under the mouse
+  ImVec4 headingActive;
+  ImVec4 line;      ///< thin separators
+  ImVec4 selected;  ///< background of selected text
   ImVec4 good;
   ImVec4 warning;
   ImVec4 error;
@@ -22,11 +35,11 @@ struct Palette {
   std::array<ImVec4, 5> plot;  ///< lines of a plot
 };
 
-/// The dark palette of the program.
+/// The palette of the theme that applyTheme() chose last for the current ImGui context.
 [[nodiscard]] const Palette& palette();
 
 /// Sets spacing, rounding and colours; lengths scale with `scale`.
-void applyTheme(ImGuiStyle& style, float scale);
+void applyTheme(ImGuiStyle& style, Theme theme, float scale);
 
 /// The two font sizes.
 struct UiFonts {

@@ -31,22 +31,32 @@ struct Frame {
   }
 };
 
-std::optional<double> finiteValue(const PlotCurve& curve, const MeasureSample& sample) {
-  const std::optional<double> value = curve.value(sample);
-  return value && std::isfinite(*value) ? value : std::nullopt;
+std::optional<double> finiteValue(const PlotPoint& point) {
+  return point.value && std::isfinite(*point.value) ? point.value : std::nullopt;
 }
 
-std::pair<double, double> rangeOf(std::span<const MeasureSample> samples, std::span<const PlotCurve> curves) {
-  std::pair<double, double> range{0.0, 0.0};
-  for (const PlotCurve& curve : curves) {
-    for (const MeasureSample& sample : samples) {
-      if (const auto value = finiteValue(curve, sample)) {
-        range.first = std::min(range.first, *value);
-        range.second = std::max(range.second, *value);
+/// The smallest and the largest value; nothing without any.
+std::optional<std::pair<double, double>> rangeOf(std::span<const PlotSeries> series) {
+  std::optional<std::pair<double, double>> range;
+  for (const PlotSeries& each : series) {
+    for (const PlotPoint& point : each.points) {
+      if (const auto value = finiteValue(point)) {
+        range = range ? std::pair(std::min(range->first, *value), std::max(range->second, *value))
+                      : std::pair(*value, *value);
       }
     }
   }
   return range;
+}
+
+PlotScale scaleOf(std::span<const PlotSeries> series, bool close) {
+  constexpr int maxSteps = 4;
+  const auto range = rangeOf(series);
+  if (!range) {
+    return plotScale(0.0, 0.0, maxSteps);
+  }
+  return close && range->first < range->second ? closePlotScale(range->first, range->second, maxSteps)
+                                               : plotScale(range->first, range->second, maxSteps);
 }
 
 /// Multiples of the step. Rounding must not turn zero into 1e-17.
@@ -61,7 +71,7 @@ std::vector<double> ticksOf(const PlotScale& scale) {
 }
 
 std::string tickText(double value) {
-  return fmt::format("{:.4g}", value);
+  return fmt::format("{:.6g}", value);
 }
 
 float widestTick(const PlotScale& scale) {
@@ -92,14 +102,13 @@ void drawScale(const PanelContext& context, const Frame& frame) {
   canvas.AddText({frame.high.x - ImGui::CalcTextSize(end.c_str()).x, below}, muted, end.c_str());
 }
 
-void drawCurve(const PanelContext& context, const Frame& frame, std::span<const MeasureSample> samples,
-               const PlotCurve& curve) {
+void drawCurve(const PanelContext& context, const Frame& frame, const PlotSeries& curve) {
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
   const ImU32 colour = ImGui::GetColorU32(curve.colour);
   const auto stroke = [&] { canvas.PathStroke(colour, ImDrawFlags_None, 1.5F * context.scale); };
-  for (const MeasureSample& sample : samples) {
-    if (const auto value = finiteValue(curve, sample)) {
-      canvas.PathLineTo({frame.x(sample.time), frame.y(*value)});
+  for (const PlotPoint& point : curve.points) {
+    if (const auto value = finiteValue(point)) {
+      canvas.PathLineTo({frame.x(point.time), frame.y(*value)});
     } else {
       stroke();
     }
@@ -107,24 +116,29 @@ void drawCurve(const PanelContext& context, const Frame& frame, std::span<const 
   stroke();
 }
 
-void legendRow(const PanelContext& context, const PlotCurve& curve, std::span<const MeasureSample> samples,
-               std::string_view unit) {
+void legendRow(const PanelContext& context, const PlotSeries& curve, std::string_view unit, bool close) {
   const float length = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float y = at.y + ImGui::GetTextLineHeight() * 0.5F;
   ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + length, y}, ImGui::GetColorU32(curve.colour),
                                       2.5F * context.scale);
   ImGui::Indent(length * 1.5F);
-  const std::optional<double> value = samples.empty() ? std::nullopt : curve.value(samples.back());
-  valueRow(context, curve.name, value ? text::formatQuantity(*value, unit) : "\u2013");
+  const std::optional<double> value = curve.points.empty() ? std::nullopt : curve.points.back().value;
+  const auto inWords = [&](double number) {
+    constexpr int digitsOfClose = 5;
+    return close ? text::figure(number, digitsOfClose) + " " + std::string(unit) : text::formatQuantity(number, unit);
+  };
+  valueRow(context, curve.name, value ? inWords(*value) : "\u2013");
   ImGui::Unindent(length * 1.5F);
 }
 
 }  // namespace
 
 PlotScale plotScale(double low, double high, int maxSteps) {
-  low = std::min(low, 0.0);
-  high = std::max(high, 0.0);
+  return closePlotScale(std::min(low, 0.0), std::max(high, 0.0), maxSteps);
+}
+
+PlotScale closePlotScale(double low, double high, int maxSteps) {
   const double span = high - low;
   if (!(span > 0.0) || !std::isfinite(span)) {
     return {0.0, 1.0, 1.0};
@@ -143,28 +157,41 @@ PlotScale plotScale(double low, double high, int maxSteps) {
 
 void timePlot(const PanelContext& context, std::string_view title, std::string_view unit,
               std::span<const MeasureSample> samples, std::span<const PlotCurve> curves) {
+  std::vector<PlotSeries> series;
+  for (const PlotCurve& curve : curves) {
+    PlotSeries& each = series.emplace_back();
+    each.name = curve.name;
+    each.colour = curve.colour;
+    for (const MeasureSample& sample : samples) {
+      each.points.push_back({sample.time, curve.value(sample)});
+    }
+  }
+  seriesPlot(context, title, unit, series);
+}
+
+void seriesPlot(const PanelContext& context, std::string_view title, std::string_view unit,
+                std::span<const PlotSeries> series, bool close) {
   ImGui::Dummy({0.0F, 2.0F * context.scale});
   mutedText(std::string(title) + " [" + std::string(unit) + "]", palette().text);
   const float line = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, std::round(line * 8.0F)};
   ImGui::Dummy(size);
-  const auto [lowest, highest] = rangeOf(samples, curves);
   Frame frame;
-  frame.scale = plotScale(lowest, highest, 4);
+  frame.scale = scaleOf(series, close);
   // Half a line of text extends above the top tick and below the lowest; the time axis is below that.
   frame.low = {std::round(at.x + widestTick(frame.scale) + 6.0F * context.scale), std::round(at.y + 0.5F * line)};
   frame.high = {at.x + size.x, std::round(at.y + size.y - 1.4F * line)};
-  if (!samples.empty()) {
-    frame.start = samples.front().time;
-    frame.span = std::max(shortestSpan, samples.back().time - frame.start);
+  if (!series.empty() && !series.front().points.empty()) {
+    frame.start = series.front().points.front().time;
+    frame.span = std::max(shortestSpan, series.front().points.back().time - frame.start);
   }
   drawScale(context, frame);
-  for (const PlotCurve& curve : curves) {
-    drawCurve(context, frame, samples, curve);
+  for (const PlotSeries& each : series) {
+    drawCurve(context, frame, each);
   }
-  for (const PlotCurve& curve : curves) {
-    legendRow(context, curve, samples, unit);
+  for (const PlotSeries& each : series) {
+    legendRow(context, each, unit, close);
   }
 }
 

@@ -5,7 +5,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace drape::ui {
 
@@ -14,6 +16,19 @@ struct PlotCurve {
   std::string_view name;
   ImVec4 colour;
   std::optional<double> (*value)(const MeasureSample&);  ///< empty: a gap
+};
+
+/// One value at a time [s].
+struct PlotPoint {
+  double time = 0.0;
+  std::optional<double> value;  ///< empty, or not finite: a gap
+};
+
+/// One curve of points in the order of time, and its row in the legend.
+struct PlotSeries {
+  std::string name;
+  ImVec4 colour;
+  std::vector<PlotPoint> points;
 };
 
 /// Round numbers that cover a range, for grid lines and labels.
@@ -25,9 +40,16 @@ struct PlotScale {
 
 /// The scale that covers `low` to `high` and zero, with at most `maxSteps` steps.
 [[nodiscard]] PlotScale plotScale(double low, double high, int maxSteps);
+/// The same without zero, if it is far from the values. The range must not be empty.
+[[nodiscard]] PlotScale closePlotScale(double low, double high, int maxSteps);
 
 /// Draws the curves with a scale, a line at zero and the time axis, then a legend with the newest values. Ignores
 /// values that are not finite.
+/// @param close whether the scale may leave out zero
+void seriesPlot(const PanelContext& context, std::string_view title, std::string_view unit,
+                std::span<const PlotSeries> series, bool close = false);
+
+/// The same for curves of the measures.
 void timePlot(const PanelContext& context, std::string_view title, std::string_view unit,
               std::span<const MeasureSample> samples, std::span<const PlotCurve> curves);
 

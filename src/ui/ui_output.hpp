@@ -1,11 +1,17 @@
 #pragma once
 
+#include "fields/shown_field.hpp"
 #include "scene/scene_parts.hpp"
 #include "session/command.hpp"
 #include "settings/settings.hpp"
 #include "sim/model/vector.hpp"
+#include "ui/export_request.hpp"
+#include "ui/theme_choice.hpp"
 
+#include <array>
+#include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -55,11 +61,58 @@ struct SaveFabricRequest {
   Place place = Place::List;
 };
 
+/// Write the cloth as it is to a new file.
+struct SaveClothRequest {
+  std::string path;  ///< its extension gives the format; empty: an OBJ with a free name in the current folder
+};
+
+/// Write the scene as it is to a scene file.
+struct SaveSceneRequest {
+  std::string path;         ///< empty: the file that it was saved to before, or a free name in the current folder
+  bool mayReplace = false;  ///< whether the user wants to replace a file of this name
+};
+
+/// Use other colours for the panels.
+struct ThemeRequest {
+  Theme theme = Theme::Dark;
+};
+
+/// Mark a vertex of the cloth, or remove its mark.
+struct PickVertexRequest {
+  int vertex = 0;
+};
+
 /// Actions of the program, not of the simulation.
 enum class UiAction {
   TogglePanels,
   ToggleHelp,
   Screenshot,
+  SaveCloth,  ///< SaveClothRequest without a path
+  SaveScene,  ///< SaveSceneRequest without a path
+  OpenFile,   ///< by a dialog
+  Search,     ///< over settings, commands and scenes
+  Undo,
+  Redo,
+  NextTheme,
+  SelectRectangle,  ///< the next drags select vertices
+  SelectBorder,     ///< the next clicks select borders
+  PinSelected,      ///< vertices
+  ReleaseSelected,
+  TogglePinsSelected,  ///< release them if all are pinned, else pin them
+  EndSelection,
+  ToggleProjection,  ///< perspective or orthographic
+  ToggleTurntable,
+  RecallView1,  ///< a kept view of this scene; the four are in order
+  RecallView2,
+  RecallView3,
+  RecallView4,
+  KeepView1,
+  KeepView2,
+  KeepView3,
+  KeepView4,
+  ShowExport,    ///< the panel of exports
+  CancelExport,  ///< that is under way
+  SaveProbes,    ///< the values at the picked vertices
   FrameCloth,
   ViewFront,
   ViewRight,
@@ -71,7 +124,8 @@ enum class UiAction {
 };
 
 using UiRequest =
-    std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, SaveFabricRequest, UiAction>;
+    std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, SaveFabricRequest,
+                 SaveClothRequest, SaveSceneRequest, ThemeRequest, PickVertexRequest, ExportRequest, UiAction>;
 
 /// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {
@@ -80,14 +134,41 @@ struct UiOutput {
   std::string hint;                        ///< one sentence for the status line, or empty
 };
 
+/// How a drag or a click in the picture selects vertices.
+enum class SelectionMode { Off, Rectangle, Border };
+
+/// The selected vertices, for the picture.
+struct SelectionView {
+  SelectionMode mode = SelectionMode::Off;
+  std::optional<UiRect> rectangle;  ///< that is being dragged [window units]
+  std::vector<Vec2> points;         ///< of the selected vertices [window units]
+  int pinned = 0;                   ///< how many of them are pinned
+};
+
+/// The number of views that are kept for a scene.
+inline constexpr std::size_t keptViewCount = 4;
+
+/// The state of the camera, for the panels.
+struct CameraStatus {
+  bool isOrthographic = false;
+  bool turns = false;                         ///< as a turntable
+  std::array<bool, keptViewCount> hasView{};  ///< which views are kept
+};
+
 /// Data of the panels besides the snapshot.
 struct UiStats {
-  double frameSeconds = 0.0;   ///< between two drawn frames, recently [s]
-  std::string loading;         ///< the job in the background, or empty
-  double loadingShare = -1.0;  ///< its progress from 0 to 1; negative: unknown
-  std::string error;           ///< the last error, in words, or empty
-  int failures = 0;            ///< number of errors so far; distinguishes two errors with the same words
-  std::string notice;          ///< the last message, or empty
+  double frameSeconds = 0.0;             ///< between two drawn frames, recently [s]
+  std::string loading;                   ///< the job in the background, or empty
+  double loadingShare = -1.0;            ///< its progress from 0 to 1; negative: unknown
+  std::string error;                     ///< the last error, in words, or empty
+  int failures = 0;                      ///< number of errors so far; distinguishes two errors with the same words
+  std::string notice;                    ///< the last message, or empty
+  std::vector<std::string> recentFiles;  ///< that were opened before, the newest first
+  SelectionView selection;
+  CameraStatus camera;
+  std::optional<ExportProgress> exporting;    ///< empty: no export is under way
+  const fields::ShownField* field = nullptr;  ///< the colour map of this picture; null: there is none
+  fields::SnapshotFields* fields = nullptr;   ///< computes the values at picked vertices; null: none can be picked
 };
 
 }  // namespace drape::ui

@@ -1,5 +1,6 @@
 #include "ui/user_interface.hpp"
 
+#include "ui/command_palette.hpp"
 #include "ui/panels.hpp"
 
 #include <backends/imgui_impl_opengl3.h>
@@ -28,12 +29,17 @@ struct UserInterface::Parts {
   Backend backend = Backend::None;
   UiDisplay display;
   UiFonts fonts;
+  Theme theme = Theme::Dark;
+  CommandPalette search;
+  bool searches = false;  ///< whether the search was open at the start of the last frame
   PanelMemory memory;
   UiRects widgets;
   UiRects buttons;
   bool panels = true;
+  bool notices = true;
   bool help = false;
   bool asksToQuit = false;
+  std::string replaced;                 ///< the scene file that the user may want to replace; empty: no question
   std::optional<DroppedFiles> dropped;  ///< the user must choose the cloth among these
   std::size_t chosenCloth = 0;          ///< index of that choice
   std::string closedError;              ///< the error that the user closed
@@ -53,7 +59,7 @@ struct UserInterface::Parts {
 
 void UserInterface::Parts::makeFonts() {
   ImGuiIO& io = ImGui::GetIO();
-  applyTheme(ImGui::GetStyle(), display.scale);
+  applyTheme(ImGui::GetStyle(), theme, display.scale);
   fonts = buildFonts(*io.Fonts, display.scale, display.density);
   io.FontDefault = fonts.regular;
   io.FontGlobalScale = 1.0F / display.density;
@@ -74,6 +80,9 @@ void UserInterface::Parts::remember(const session::Snapshot& snapshot, const UiS
   }
   memory.lastStep = snapshot.step;
   memory.measures.add(snapshot);
+  if (stats.fields != nullptr) {
+    memory.picked.follow(snapshot, *stats.fields);
+  }
   memory.hasDragged = memory.hasDragged || snapshot.attachment.has_value();
   if (!memory.hoveredThisFrame) {
     memory.hoveredRow.clear();
@@ -100,6 +109,10 @@ void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
 }
 
 void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
+  colourLegend(panel, view, panels ? timelineBar(panel, view) : 0.0F);
+  if (!notices) {
+    return;
+  }
   // Permanent boxes come first, so that a new message does not move a button before a click.
   OverlayStack stack(panel, view);
   readingNotice(panel, stack);
@@ -110,9 +123,14 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (!panel.stats.loading.empty()) {
     loadingNotice(panel, stack);
   }
-  if (!memory.hasDragged) {
+  if (panel.stats.exporting) {
+    exportNotice(panel, stack);
+  }
+  if (!memory.hasDragged && memory.picked.vertices().empty()) {
     dragHint(stack);
   }
+  pickedPanel(panel, view);
+  selectionBox(panel, view);
   dialog(panel, view);
 }
 
@@ -120,10 +138,17 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
 void UserInterface::Parts::dialog(PanelContext& panel, const UiRect& view) {
   if (asksToQuit) {
     asksToQuit = quitQuestion(panel, view);
+  } else if (!replaced.empty()) {
+    if (!replaceQuestion(panel, view, replaced)) {
+      replaced.clear();
+    }
   } else if (dropped) {
     if (!dropQuestion(panel, view, *dropped, chosenCloth)) {
       dropped.reset();
     }
+  } else if (search.isOpen()) {
+    search.draw(panel, view);
+    panels = panels || memory.revealed.isPending;
   } else if (help) {
     help = helpOverlay(panel, view);
   }
@@ -179,7 +204,13 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
     ImGui_ImplOpenGL3_NewFrame();
   }
   ImGui::NewFrame();
-  parts.remember(snapshot, stats);
+  if (parts.panels || parts.notices) {  // the legend alone may belong to another simulation
+    parts.remember(snapshot, stats);
+  }
+  parts.searches = parts.search.isOpen();
+  if (parts.searches) {
+    parts.memory.hoveredSince = ImGui::GetTime();  // an explanation would cover the search
+  }
   parts.widgets.clear();
   parts.buttons.clear();
   const settings::Settings settings = parts.memory.pending.overlay(snapshot.settings);
@@ -189,6 +220,7 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
                      .stats = stats,
                      .fonts = parts.fonts,
                      .scale = parts.display.scale,
+                     .theme = parts.theme,
                      .memory = parts.memory,
                      .widgets = parts.widgets,
                      .buttons = parts.buttons,
@@ -206,6 +238,22 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
 void UserInterface::renderDrawData() {
   ImGui::SetCurrentContext(parts_->context);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+void UserInterface::drawLegend(const session::Snapshot& snapshot, const UiStats& stats, int width, int height) {
+  const UiDisplay window = parts_->display;
+  const bool panels = std::exchange(parts_->panels, false);
+  const bool notices = std::exchange(parts_->notices, false);
+  UiDisplay picture = window;
+  picture.width = width;
+  picture.height = height;
+  setDisplay(picture);
+  UiOutput ignored;
+  build(snapshot, stats, ignored);
+  renderDrawData();
+  parts_->panels = panels;
+  parts_->notices = notices;
+  setDisplay(window);
 }
 
 UiRect UserInterface::view() const {
@@ -234,7 +282,7 @@ bool UserInterface::covers(const Vec2& point) const {
 
 bool UserInterface::takesText() const {
   ImGui::SetCurrentContext(parts_->context);
-  return ImGui::GetIO().WantTextInput;
+  return ImGui::GetIO().WantTextInput || parts_->searches;
 }
 
 bool UserInterface::panelsVisible() const {
@@ -243,6 +291,18 @@ bool UserInterface::panelsVisible() const {
 
 void UserInterface::showPanels(bool visible) {
   parts_->panels = visible;
+}
+
+bool UserInterface::pick(int vertex) {
+  return parts_->memory.picked.toggle(vertex);
+}
+
+const PickedVertices& UserInterface::picked() const {
+  return parts_->memory.picked;
+}
+
+void UserInterface::showNotices(bool visible) {
+  parts_->notices = visible;
 }
 
 bool UserInterface::helpVisible() const {
@@ -262,8 +322,15 @@ bool UserInterface::closeOverlay() {
   if (std::exchange(parts_->asksToQuit, false)) {
     return true;
   }
+  if (!std::exchange(parts_->replaced, {}).empty()) {
+    return true;
+  }
   if (parts_->dropped) {
     parts_->dropped.reset();
+    return true;
+  }
+  if (parts_->search.isOpen()) {
+    parts_->search.close();
     return true;
   }
   if (std::exchange(parts_->help, false)) {
@@ -272,6 +339,10 @@ bool UserInterface::closeOverlay() {
   if (!parts_->shownError.empty()) {
     parts_->closedError = parts_->shownError;
     parts_->shownError.clear();
+    return true;
+  }
+  if (!parts_->memory.picked.vertices().empty()) {
+    parts_->memory.picked.clear();
     return true;
   }
   return false;
@@ -286,8 +357,58 @@ void UserInterface::askToQuit() {
   parts_->asksToQuit = true;
 }
 
+void UserInterface::askToReplace(const std::string& file) {
+  parts_->replaced = file;
+}
+
+void UserInterface::toggleSearch(const std::vector<std::string>& recentFiles) {
+  if (parts_->search.isOpen()) {
+    parts_->search.close();
+  } else {
+    parts_->search.open(searchEntries(parts_->memory.scenes, recentFiles));
+  }
+}
+
+void UserInterface::showOpenField() {
+  parts_->panels = true;
+  parts_->memory.revealed = {"scene.path", 0.0, true};
+}
+
+void UserInterface::showExport() {
+  parts_->panels = true;
+  parts_->memory.revealed = {std::string(exportSection), 0.0, true};
+}
+
+void UserInterface::useTheme(Theme theme) {
+  ImGui::SetCurrentContext(parts_->context);
+  parts_->theme = theme;
+  applyTheme(ImGui::GetStyle(), theme, parts_->display.scale);
+}
+
+Theme UserInterface::theme() const {
+  return parts_->theme;
+}
+
+const std::map<std::string, bool>& UserInterface::sections() const {
+  return parts_->memory.sections;
+}
+
+void UserInterface::restoreSections(const std::map<std::string, bool>& sections) {
+  parts_->memory.sections = sections;
+}
+
+settings::Settings UserInterface::settingsInForce(const session::Snapshot& snapshot) const {
+  return parts_->memory.pending.overlay(snapshot.settings);
+}
+
+bool UserInterface::isBusy() const {
+  ImGui::SetCurrentContext(parts_->context);
+  return ImGui::IsAnyItemActive() || !parts_->memory.pending.empty();
+}
+
 void UserInterface::forgetQuestions() {
   parts_->asksToQuit = false;
+  parts_->replaced.clear();
   parts_->dropped.reset();
 }
 

@@ -3,9 +3,13 @@
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
 #include "ui/dropped_files.hpp"
+#include "ui/picked_vertices.hpp"
 #include "ui/ui_output.hpp"
 
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace drape::ui {
 
@@ -42,6 +46,10 @@ class UserInterface {
   /// Draws the last frame into the bound framebuffer.
   void renderDrawData();
 
+  /// Draws the legend of the colour map alone into the bound framebuffer of that size [window units]. For a saved
+  /// picture; call it between two frames.
+  void drawLegend(const session::Snapshot& snapshot, const UiStats& stats, int width, int height);
+
   /// The part of the window without panels, for the picture [window units].
   [[nodiscard]] UiRect view() const;
 
@@ -55,12 +63,45 @@ class UserInterface {
   [[nodiscard]] bool helpVisible() const;
   void showHelp(bool visible);
 
+  /// Whether messages, questions and hints are drawn over the picture. Without them and without panels, only the legend
+  /// of the colour map is.
+  void showNotices(bool visible);
+
+  /// Marks a vertex, or removes its mark. @return false if no more can be marked
+  bool pick(int vertex);
+  [[nodiscard]] const PickedVertices& picked() const;
+
   /// Asks which of these files is the cloth; the answer is an OpenPartsRequest.
   void askWhichIsTheCloth(const DroppedFiles& files);
 
   /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges. Hides another
   /// question until this one is answered.
   void askToQuit();
+
+  /// Asks whether to replace that scene file; the answer yes is a SaveSceneRequest.
+  void askToReplace(const std::string& file);
+
+  /// Opens the search over settings, commands, scenes and the files that were opened before; or closes it.
+  void toggleSearch(const std::vector<std::string>& recentFiles);
+
+  /// Shows the field that opens a file, with the keyboard focus.
+  void showOpenField();
+
+  /// Opens the section of exports and scrolls to it.
+  void showExport();
+
+  void useTheme(Theme theme);
+  [[nodiscard]] Theme theme() const;
+
+  /// The sections that the user opened or closed, by title; to be restored before the first frame.
+  [[nodiscard]] const std::map<std::string, bool>& sections() const;
+  void restoreSections(const std::map<std::string, bool>& sections);
+
+  /// The settings with the user's changes that have not come back in the snapshot yet.
+  [[nodiscard]] settings::Settings settingsInForce(const session::Snapshot& snapshot) const;
+
+  /// Whether the user drags or types in the panels, or a change has not come back yet.
+  [[nodiscard]] bool isBusy() const;
 
   /// Closes the questions without an answer.
   void forgetQuestions();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drape::ui {
 namespace {
@@ -202,7 +203,7 @@ bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::
   ImGui::PushID(name.c_str());
   if (strong) {
     ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImVec4(0.25F, 0.41F, 0.6F, 1.0F));
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette().accentHovered);
   }
   const bool pressed = ImGui::Button("##button", {width, height});
   ImGui::PopStyleColor(strong ? 2 : 0);
@@ -219,11 +220,40 @@ bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::
   return pressed;
 }
 
-bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst) {
+std::size_t segments(PanelContext& context, const std::string& name, std::span<const Segment> choices,
+                     std::size_t chosen) {
+  std::size_t result = chosen;
+  const float gap = std::round(2.0F * context.scale);
+  const auto count = static_cast<float>(choices.size());
+  const float width = (ImGui::CalcItemWidth() - gap * (count - 1.0F)) / count;
+  ImGui::PushID(name.c_str());
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (i > 0) {
+      ImGui::SameLine(0.0F, gap);
+    }
+    ImGui::PushStyleColor(ImGuiCol_Button, i == chosen ? palette().accentFill : palette().field);
+    ImGui::PushStyleColor(ImGuiCol_Text, i == chosen ? palette().text : palette().muted);
+    if (ImGui::Button(std::string(choices[i].title).c_str(), {width, ImGui::GetFrameHeight()})) {
+      result = i;
+    }
+    ImGui::PopStyleColor(2);
+    context.buttons[name + "=" + std::string(choices[i].word)] = lastItemRect();
+  }
+  ImGui::PopID();
+  return result;
+}
+
+bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst, bool openNow) {
   ImGui::Separator();
-  const std::optional<bool>& all = context.memory.openSections;
-  ImGui::SetNextItemOpen(all.value_or(openAtFirst), all ? ImGuiCond_Always : ImGuiCond_Once);
+  std::map<std::string, bool>& kept = context.memory.sections;
+  const auto left = kept.find(title);
+  const std::optional<bool> all = openNow ? std::optional(true) : context.memory.openSections;
+  ImGui::SetNextItemOpen(all.value_or(left == kept.end() ? openAtFirst : left->second),
+                         all ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open = ImGui::CollapsingHeader(title.c_str());
+  if (ImGui::IsItemToggledOpen()) {
+    kept[title] = open;
+  }
   context.buttons["section." + text::lowerCase(title)] = lastItemRect();
   if (open) {
     ImGui::PushID(title.c_str());
@@ -232,13 +262,37 @@ bool beginSection(PanelContext& context, const std::string& title, bool openAtFi
   return open;
 }
 
-bool beginFold(PanelContext& context, const std::string& title, const std::string& name) {
-  const std::optional<bool>& all = context.memory.openSections;
+bool beginFold(PanelContext& context, const std::string& title, const std::string& name, bool openNow) {
+  const std::optional<bool> all = openNow ? std::optional(true) : context.memory.openSections;
   ImGui::SetNextItemOpen(all.value_or(false), all ? ImGuiCond_Always : ImGuiCond_Once);
   const bool open =
       ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
   context.buttons["fold." + name] = lastItemRect();
   return open;
+}
+
+void revealRow(PanelContext& context, const std::string& key, const UiRect& row) {
+  constexpr double markTime = 2.5;  // [s]
+  RevealedRow& revealed = context.memory.revealed;
+  if (revealed.key != key) {
+    return;
+  }
+  constexpr float place = 0.35F;  // share of the column above the row
+  if (std::exchange(revealed.isPending, false)) {
+    ImGui::SetScrollHereY(place);
+    revealed.since = ImGui::GetTime();
+  }
+  const double age = ImGui::GetTime() - revealed.since;
+  if (age > markTime) {
+    revealed = {};
+    return;
+  }
+  ImVec4 colour = palette().accent;
+  colour.w = static_cast<float>(1.0 - age / markTime);
+  const float margin = 3.0F * context.scale;
+  const ImVec2 low{static_cast<float>(row.x) - margin, static_cast<float>(row.y) - margin};
+  const ImVec2 high{static_cast<float>(row.x + row.width) + margin, static_cast<float>(row.y + row.height) + margin};
+  ImGui::GetWindowDrawList()->AddRect(low, high, ImGui::GetColorU32(colour), 2.0F * margin, 0, 1.5F * context.scale);
 }
 
 void endSection() {

@@ -2,6 +2,8 @@
 
 #include "ui/panel_context.hpp"
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -54,12 +56,26 @@ enum class Icon { None, Play, Pause, Step, Reset };
 bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::string_view word, float width,
                 bool strong = false);
 
-/// The heading of a collapsible section; returns whether it is open. Close an open section with endSection().
-bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst);
+/// One of a few choices that stand side by side.
+struct Segment {
+  std::string_view word;   ///< for tests
+  std::string_view title;  ///< as it is shown
+};
+
+/// Draws choices side by side in the width of the next item, each stored as "NAME=WORD". @return the chosen one
+std::size_t segments(PanelContext& context, const std::string& name, std::span<const Segment> choices,
+                     std::size_t chosen);
+
+/// The heading of a collapsible section; returns whether it is open. Close an open section with endSection(). It begins
+/// as the user left it. @param openNow opens a closed section
+bool beginSection(PanelContext& context, const std::string& title, bool openAtFirst, bool openNow = false);
 void endSection();
 
 /// The heading of settings that are hidden at first, within a section; stored under "fold." and `name`. Returns whether
-/// it is open.
-bool beginFold(PanelContext& context, const std::string& title, const std::string& name);
+/// it is open. @param openNow opens a closed one
+bool beginFold(PanelContext& context, const std::string& title, const std::string& name, bool openNow = false);
+
+/// Scrolls to a row that the search shows, and marks it for a moment. Call it after the row is drawn.
+void revealRow(PanelContext& context, const std::string& key, const UiRect& row);
 
 }  // namespace drape::ui

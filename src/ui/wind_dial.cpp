@@ -50,8 +50,7 @@ void drawDial(const PanelContext& context, const Dial& dial, bool hovered) {
             ImGui::GetColorU32(palette().accent));
 }
 
-void setHorizontalWind(PanelContext& context, const Vec2& offset) {
-  const Vec3 wind = windFromDial(offset);
+void setHorizontalWind(PanelContext& context, const Vec3& wind) {
   changeSetting(context, settings::requireSetting("wind.x"), wind.x());
   changeSetting(context, settings::requireSetting("wind.z"), wind.z());
 }
@@ -59,10 +58,13 @@ void setHorizontalWind(PanelContext& context, const Vec2& offset) {
 void dragDial(PanelContext& context, const Dial& dial) {
   if (ImGui::IsItemActive()) {
     const ImVec2 mouse = ImGui::GetMousePos();
-    setHorizontalWind(context, {static_cast<double>((mouse.x - dial.centre.x) / dial.radius),
-                                static_cast<double>((mouse.y - dial.centre.y) / dial.radius)});
+    setHorizontalWind(context, windFromDial({static_cast<double>((mouse.x - dial.centre.x) / dial.radius),
+                                             static_cast<double>((mouse.y - dial.centre.y) / dial.radius)}));
   } else if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    setHorizontalWind(context, Vec2::Zero());
+    const Vec3& now = context.settings.step.air.wind;
+    const Vec3& ofScene = context.sceneSettings.step.air.wind;
+    const bool isOfScene = now.x() == ofScene.x() && now.z() == ofScene.z();
+    setHorizontalWind(context, isOfScene ? Vec3(Vec3::Zero()) : ofScene);
   }
 }
 
@@ -78,7 +80,7 @@ void windDial(PanelContext& context) {
   drawDial(context, dial, ImGui::IsItemHovered() || ImGui::IsItemActive());
   explainItem(context, "wind.dial",
               "The wind from above: x to the right, z towards you. Drag to change its direction and speed, "
-              "right-click for no wind. The inner ring is 5 m/s, the outer ring 20 m/s.");
+              "right-click for the scene's wind, and again for none. The inner ring is 5 m/s, the outer ring 20 m/s.");
   ImGui::SameLine(0.0F, ImGui::GetFontSize());
   ImGui::BeginGroup();
   const Vec3& wind = context.settings.step.air.wind;

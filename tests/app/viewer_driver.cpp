@@ -74,17 +74,36 @@ VirtualDisplay::VirtualDisplay(const std::string& size) {
 }
 
 ViewerDriver::ViewerDriver(const std::vector<std::string>& arguments, const std::string& size)
-    : display_(std::string(size).replace(size.find(','), 1, "x") + "x24") {
-  std::vector<std::string> command{DRAPE_PROGRAM, "--status", (folder_.path() / statusName).string(), "--window-size",
-                                   size};
+    : ViewerDriver(arguments, DriverOptions{.size = size}) {}
+
+ViewerDriver::ViewerDriver(const std::vector<std::string>& arguments, const DriverOptions& options)
+    : display_(std::string(options.size).replace(options.size.find(','), 1, "x") + "x24") {
+  std::vector<std::string> command{DRAPE_PROGRAM, "--status", (folder_.path() / statusName).string()};
+  if (options.windowSize) {
+    command.insert(command.end(), {"--window-size", options.size});
+  }
   command.insert(command.end(), arguments.begin(), arguments.end());
-  viewer_ =
-      std::make_unique<Process>(ProcessOptions{.command = command,
-                                               .environment = {{"DISPLAY", display_.name()}, {"WAYLAND_DISPLAY", ""}},
-                                               .folder = folder_.path(),
-                                               .output = folder_.path() / "output.txt"});
+  viewer_ = std::make_unique<Process>(ProcessOptions{.command = command,
+                                                     .environment = environmentOf(options),
+                                                     .folder = folder_.path(),
+                                                     .output = folder_.path() / "output.txt"});
   // The panels need some frames for their layout.
   waitUntil("the first frames", [](const Json& state) { return state["frame"] >= 3; });
+}
+
+/// The tests never touch the preferences and the fabrics of the user.
+std::map<std::string, std::string> ViewerDriver::environmentOf(const DriverOptions& options) const {
+  const std::filesystem::path home = options.home.empty() ? folder_.path() : options.home;
+  std::map<std::string, std::string> environment{{"DISPLAY", display_.name()},
+                                                 {"WAYLAND_DISPLAY", ""},
+                                                 {"XDG_STATE_HOME", (home / "state").string()},
+                                                 {"XDG_CONFIG_HOME", (home / "config").string()}};
+  if (!options.programs.empty()) {
+    const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe): nothing changes the environment
+    const bool exists = std::filesystem::exists(options.programs);
+    environment["PATH"] = options.programs.string() + (exists && path != nullptr ? ":" + std::string(path) : "");
+  }
+  return environment;
 }
 
 std::optional<Json> ViewerDriver::read() const {

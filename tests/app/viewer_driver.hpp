@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,11 +46,20 @@ struct Place {
   double y = 0.0;
 };
 
+/// How the viewer is started.
+struct DriverOptions {
+  std::string size = "1280,800";     ///< of the display
+  bool windowSize = true;            ///< whether the window gets that size; else it chooses its own
+  std::filesystem::path home{};      ///< the folder for preferences; empty: a new one
+  std::filesystem::path programs{};  ///< comes first in PATH; a folder that does not exist: PATH has nothing else
+};
+
 /// The viewer on a virtual display, controlled with mouse and keyboard, and observed through its status file.
 class ViewerDriver {
  public:
   /// `size` of the window, on a display that is at least as large.
   explicit ViewerDriver(const std::vector<std::string>& arguments, const std::string& size = "1280,800");
+  ViewerDriver(const std::vector<std::string>& arguments, const DriverOptions& options);
 
   /// The newest state.
   [[nodiscard]] Json state();
@@ -67,7 +77,7 @@ class ViewerDriver {
   void wheel(bool nearer);
   /// Presses a key that acts on press.
   void key(const std::string& name);
-  /// The same for a key that may end the viewer.
+  /// Presses and releases a key at once: one that may end the viewer, or that repeats while it is held.
   void tap(const std::string& name);
   void holdKey(const std::string& name);
   void letKeyGo(const std::string& name);
@@ -94,6 +104,7 @@ class ViewerDriver {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
+  [[nodiscard]] std::map<std::string, std::string> environmentOf(const DriverOptions& options) const;
   void xdotool(const std::vector<std::string>& arguments);
   [[nodiscard]] std::optional<Json> read() const;
 

@@ -508,6 +508,36 @@ TEST(Window, F12SavesAPictureAndOverwritesNone) {
   }
 }
 
+TEST(Window, ESavesTheClothAndTheFieldSavesItUnderANameThatIsFree) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.key("e");
+  viewer.key("e");
+  const auto waitForMessage = [&](const std::string& part) {
+    viewer.waitUntil("the message " + part,
+                     [&](const Json& s) { return s["message"].get<std::string>().find(part) != std::string::npos; });
+  };
+  waitForMessage("grid-002.obj");
+  const auto saveAs = [&](const std::string& name) {
+    viewer.click(viewer.find("cloth.path"));
+    viewer.key("ctrl+a");
+    viewer.type(name);
+  };
+  saveAs("mine.ply");
+  waitForMessage("Saved");
+  waitForMessage("mine.ply");
+  saveAs("grid-001.obj");
+  waitForMessage("exists");
+  saveAs("mine.docx");
+  waitForMessage("docx");
+  std::ifstream first(viewer.folder() / "grid-001.obj");
+  const std::string text{std::istreambuf_iterator<char>(first), {}};
+  EXPECT_NE(text.find("\nv "), std::string::npos);
+  std::ifstream second(viewer.folder() / "mine.ply", std::ios::binary);
+  std::string start(3, '\0');
+  second.read(start.data(), 3);
+  EXPECT_EQ(start, "ply");
+}
+
 TEST(Window, EscapeLetsGoFirstAndQuitsThen) {
   ViewerDriver viewer({"grid", "--paused"});
   takeCloth(viewer, viewer.onCloth());

@@ -1,4 +1,4 @@
-#include "../../src/app/headless/frame_name.hpp"
+#include "app/export/frame_name.hpp"
 
 #include "messages/error.hpp"
 

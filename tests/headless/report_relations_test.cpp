@@ -1,3 +1,4 @@
+#include "browser.hpp"
 #include "program.hpp"
 
 #include <gtest/gtest.h>
@@ -5,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -159,7 +161,7 @@ TEST_F(QuickReport, comparesTheSolversThatTakeAFabricOnIt) {
     }
   }
   EXPECT_EQ(methods, (std::set<std::string>{"auto", "chebyshev", "explicit_euler", "newton", "one_iteration", "pcg",
-                                            "vbd", "verlet"}));
+                                            "vbd", "verlet", "xpbd"}));
 }
 
 /// eps of backward Euler with n steps an interval against explicit Euler with m, both falling freely from rest, in
@@ -190,7 +192,7 @@ TEST_F(QuickReport, findsThatOneSweepAddsToTheErrorOfTheSolvedStep) {
 
 TEST_F(QuickReport, namesAsCheapestWhatIsCheapestInItsOwnRows) {
   int named = 0;
-  for (const Json& answer : json_["what_follows"]) {
+  for (const Json& answer : json_["conclusions"]) {
     if (answer["question"] != "cheapest" || answer["method"].is_null()) {
       continue;
     }
@@ -249,6 +251,71 @@ TEST_F(QuickReport, opensInABrowser) {
   EXPECT_GT(pictures, 10U);
   EXPECT_NE(seen.find("data-drawn=\"" + std::to_string(pictures) + "\""), std::string::npos);
   EXPECT_NE(seen.find("data-wide=\"false\""), std::string::npos);
+}
+
+TEST_F(QuickReport, answersFirstAndDecidesEachClaimByItsOwnRows) {
+  std::map<std::string, std::string> verdicts;
+  int answered = 0;
+  for (const Json& row : json_["answer"]) {
+    if (row["question"] == "claim") {
+      verdicts[row["claim"]] = row["verdict"];
+    } else if (!row["method"].is_null()) {
+      ++answered;
+      EXPECT_LE(row["cost_ms"], row["budget_ms"]) << row;
+    }
+  }
+  EXPECT_GT(answered, 4);
+  EXPECT_EQ(verdicts.size(), 7U);
+  // The quick report has no run that compresses a sheet, and its runs of Table 2 are all far from the paper's.
+  EXPECT_EQ(verdicts["No instability under compression"], "not measured");
+  EXPECT_EQ(verdicts["Table 2: eps of at most 0.000485 (k = 10 N/m)"], "refuted");
+  EXPECT_EQ(verdicts["Drag and lift look right"], "not testable");
+  const std::string html = readFile(folder_ / "report.html");
+  EXPECT_LT(html.find("The method to take"), html.find("<svg"));
+}
+
+/// Everything that reaches beyond the right edge of the window, folded tables included, and text beyond its picture.
+constexpr const char* tooWide = R"(
+  for (const details of document.querySelectorAll('details')) details.open = true;
+  const beyond = [];
+  const edge = document.documentElement.clientWidth + 0.5;
+  const name = (e) => e.tagName + ' "' + e.textContent.trim().slice(0, 60) + '"; ';
+  for (const e of document.querySelectorAll('body *')) {
+    const inPicture = e.ownerSVGElement;
+    const right = inPicture ? inPicture.getBoundingClientRect().right + 0.5 : edge;
+    if ((!inPicture || e.tagName == 'text') && e.getBoundingClientRect().right > right) beyond.push(name(e));
+  }
+  return beyond.join('');
+)";
+
+TEST_F(QuickReport, isNowhereWiderThanTheScreenOrThePaperInABrowser) {
+  if (!hasBrowser()) {
+    GTEST_SKIP() << "chromium is not installed";
+  }
+  const std::string html = readFile(folder_ / "report.html");
+  const PageVisit screen = visitPage(html, 1440, 900, tooWide, testFolder());
+  EXPECT_EQ(screen.result, "");
+  EXPECT_EQ(screen.console, "");
+  EXPECT_NE(visitPage(html, 300, 900, tooWide, testFolder()).result, "") << "a table does not fit a window this narrow";
+  // A page of A4 between the browser's margins, at 96 pixels an inch.
+  std::string print = html;
+  print.replace(print.find("@media print"), 12, "@media all");
+  constexpr int paperWidth = 718;
+  const PageVisit paper = visitPage(print, paperWidth, 1000, tooWide, testFolder());
+  EXPECT_EQ(paper.result, "");
+  EXPECT_EQ(paper.console, "");
+}
+
+TEST_F(QuickReport, beginsWithAnAnswerThatFitsAScreen) {
+  if (!hasBrowser()) {
+    GTEST_SKIP() << "chromium is not installed";
+  }
+  const PageVisit visit =
+      visitPage(readFile(folder_ / "report.html"), 1440, 900,
+                "return '' + document.querySelector('section.answer').getBoundingClientRect().bottom;", testFolder());
+  ASSERT_NE(visit.result.find_first_of("0123456789"), std::string::npos) << visit.result;
+  EXPECT_LE(std::stod(visit.result), 900.0);
+  EXPECT_GT(std::stod(visit.result), 200.0);
 }
 
 }  // namespace

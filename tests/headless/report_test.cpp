@@ -1,6 +1,9 @@
 #include "program.hpp"
+#include "render/image.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -13,8 +16,8 @@ nlohmann::json jsonIn(const std::filesystem::path& folder) {
 }
 
 void expectHead(const nlohmann::json& json) {
-  for (const char* array : {"table1", "table2", "work_precision", "what_follows", "stability", "hard_cases",
-                            "stretch_limit", "growth", "threads", "collision", "validation"}) {
+  for (const char* array : {"answer", "budget", "table1", "table2", "work_precision", "conclusions", "stability",
+                            "hard_cases", "stretch_limit", "growth", "threads", "collision", "validation"}) {
     EXPECT_TRUE(json[array].is_array()) << array;
   }
   ASSERT_TRUE(json["machine"].is_object());
@@ -48,6 +51,28 @@ TEST(Report, measuresTheFrameUpdateAndWritesAllItsFiles) {
   EXPECT_NE(readFile(folder / "report.md").find("pictures/table1.svg"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "pictures" / "table1.svg"));
   EXPECT_NE(readFile(folder / "report.html").find("</html>"), std::string::npos);
+}
+
+/// Viewers without style sheets once showed every curve in black.
+TEST(Report, drawsColouredPicturesForAnotherViewer) {
+  if (std::system("command -v rsvg-convert >/dev/null") != 0) {
+    GTEST_SKIP() << "rsvg-convert is not installed";
+  }
+  const auto folder = testFolder();
+  ASSERT_EQ(report("--quick --only table1 --output " + folder.string()).status, 0);
+  const auto png = folder / "table1.png";
+  const std::string command =
+      "rsvg-convert " + (folder / "pictures" / "table1.svg").string() + " --output " + png.string();
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const render::Image picture = render::readPng(png);
+  int white = 0;
+  int blue = 0;
+  for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
+    white += picture.rgb[i] == 255 && picture.rgb[i + 1] == 255 && picture.rgb[i + 2] == 255 ? 1 : 0;
+    blue += picture.rgb[i + 2] > picture.rgb[i] + 100 ? 1 : 0;
+  }
+  EXPECT_GT(blue, 300);
+  EXPECT_GT(white, picture.width * picture.height / 2);
 }
 
 TEST(Report, measuresNothingAgainWhenItContinues) {
@@ -130,6 +155,83 @@ TEST(Report, refusesWrongUse) {
   refuses("--scene nothing --output " + folder, 1, "nothing");
   refuses("--scene skirt --output " + folder, 1, "grid");
   refuses("--output /proc/nowhere", 1, "/proc/nowhere");
+}
+
+/// A piece of cloth that falls on a ball: its own scene file, mesh and contact.
+std::filesystem::path ballScene(const std::filesystem::path& folder, const std::string& settings) {
+  std::ofstream mesh(folder / "patch.obj");
+  constexpr int side = 8;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      mesh << "v " << 0.04 * column - 0.14 << " 0.31 " << 0.04 * row - 0.14 << '\n';
+    }
+  }
+  for (int row = 0; row + 1 < side; ++row) {
+    for (int column = 0; column + 1 < side; ++column) {
+      const int corner = row * side + column + 1;
+      mesh << "f " << corner << ' ' << corner + side << ' ' << corner + 1 << '\n';
+      mesh << "f " << corner + 1 << ' ' << corner + side << ' ' << corner + side + 1 << '\n';
+    }
+  }
+  std::ofstream(folder / "ball.toml") << "title = \"A ball\"\nhelp = \"A piece of cloth falls on a ball.\"\n"
+                                         "[cloth]\nmesh = \"patch.obj\"\n"
+                                         "[[bodies]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.15\n"
+                                         "position = [0, 0.15, 0]\n[settings]\ntime_step = \"1/150\"\nstiffness = 20\n"
+                                      << settings;
+  return folder / "ball.toml";
+}
+
+TEST(ReportForABudget, findsTheErrorsOfAClothThatTouchesABody) {
+  const auto folder = testFolder();
+  const Outcome outcome =
+      report("--quick --scene " + ballScene(folder, "").string() +
+             " --budget 1000 --seconds 0.2 --set damping=0.01 --output " + (folder / "out").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("For 1000 ms a frame take "), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("Two starts that differ by a micrometre part by"), std::string::npos);
+  const auto json = jsonIn(folder / "out");
+  EXPECT_EQ(json["settings"]["set"], nlohmann::json::array({"damping=0.01"}));
+  EXPECT_TRUE(json["table1"].empty());
+  double minError = 1.0;
+  double maxError = 0.0;
+  for (const auto& row : json["budget"]) {
+    EXPECT_EQ(row["contact"], "bodies") << row;
+    EXPECT_FALSE(row["noise_floor"].is_null());
+    if (row["state"] == "calm") {
+      EXPECT_GT(row["us_per_simulated_second"], 0.0);
+      minError = std::min(minError, row["error_mean"].get<double>());
+      maxError = std::max(maxError, row["error_mean"].get<double>());
+    }
+  }
+  // The settings differ, and the finest of them is close to the reference.
+  EXPECT_LT(minError, 1e-3);
+  EXPECT_GT(maxError, 2.0 * minError);
+  EXPECT_NE(readFile(folder / "out" / "report.html").find("Cloth with contact"), std::string::npos);
+}
+
+TEST(ReportForABudget, needsNoFolderAndSaysWhenNothingIsThatCheap) {
+  const Outcome outcome = report("--quick --scene grid --set grid.resolution=33 --budget 0.01 --seconds 0.1");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("0.01 ms a frame"), std::string::npos) << outcome.output;
+}
+
+TEST(ReportForABudget, refusesWrongUse) {
+  const auto refuses = [](const std::string& arguments, int status, const std::string& because) {
+    const Outcome outcome = report(arguments);
+    EXPECT_EQ(outcome.status, status) << arguments;
+    EXPECT_NE(outcome.errors.find(because), std::string::npos) << outcome.errors;
+  };
+  refuses("--budget 2", 2, "--scene");
+  refuses("--scene grid --budget 0", 2, "--budget");
+  refuses("--scene grid --budget many", 2, "--budget");
+  refuses("--scene nothing.obj --budget 2", 1, "nothing.obj");
+  refuses("--scene grid --budget 2 --set stiffnes=3", 2, "stiffnes");
+  refuses("--scene grid --budget 2 --set stiffness=-3", 2, "stiffness");
+  refuses("--scene grid --budget 2 --set time_step=0.007", 2, "time_step");
+  refuses("--scene grid --budget 2 --only table1", 2, "--only");
+  refuses("--scene grid --budget 2 --seconds 100", 2, "--seconds");
+  refuses("--scene grid --budget 2 --resume", 2, "--output");
+  refuses("--set stiffness=3 --output " + testFolder().string(), 2, "--budget");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Accept an intended change with scripts/update-pictures, and check the new pictures before you commit them.
 
 #include "compare_images.hpp"
+#include "fields/shown_field.hpp"
 #include "render/camera.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/renderer.hpp"
@@ -54,6 +55,10 @@ std::vector<PictureCase> pictureCases() {
   cases.push_back({"grid_wireframe", "grid", {"view.wireframe=on"}, 0.0});
   cases.push_back({"sphere_65", "sphere", {"grid.resolution=65"}});
   cases.push_back({"sphere_129", "sphere", {"grid.resolution=129"}});
+  cases.push_back({"sphere_curvature", "sphere", {"view.colour_map=bending"}, 0.0, 1.0});
+  cases.push_back({"flag_speed", "flag", {"view.colour_map=speed", "view.wireframe=on"}});
+  cases.push_back(
+      {"grid_stretch_fixed", "grid", {"view.colour_map=strain_warp", "view.colour_low=90", "view.colour_high=130"}});
   cases.push_back({"flag_plain_from_behind", "flag", {"view.surface=plain", "view.ground=off"}, 2.6});
   return cases;
 }
@@ -79,7 +84,9 @@ render::Image draw(const session::Snapshot& snapshot, double yaw) {
   render::Renderer renderer;
   render::Camera camera(snapshot.scene->camera);
   camera.orbit(yaw, 0.0);
-  renderer.draw(snapshot, camera, width, height);
+  fields::SnapshotFields fields;
+  fields::FieldDisplay display;
+  renderer.draw(snapshot, camera, width, height, {.field = &display.update(snapshot, fields)});
   return renderer.read();
 }
 

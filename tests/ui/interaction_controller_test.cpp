@@ -155,6 +155,7 @@ TEST_F(Interaction, KeysAreCommands) {
   EXPECT_EQ(std::get<session::SetSettingCommand>(wireframe.commands.at(0)).key, "view.wireframe");
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::H}).requests.at(0)), UiAction::TogglePanels);
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::F12}).requests.at(0)), UiAction::Screenshot);
+  EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::E}).requests.at(0)), UiAction::SaveCloth);
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::Help}).requests.at(0)), UiAction::ToggleHelp);
 }
 
@@ -247,7 +248,8 @@ class BodyInteraction : public Interaction {
     ball.name = "ball";
     ball.shape = sim::contact::SphereShape{0.1};
     ball.motion.keyframes = {{0.0, Vec3(0.8, 1.3, 0.0), Vec3::Zero()}};
-    description.bodies = {scene::BodyDescription{ball, {}}};
+    description.bodies.resize(1);
+    description.bodies[0].body = ball;
     description.ground = sim::contact::Body{};
     simulation_.apply(session::LoadSceneCommand{scene::buildScene(description, description.settings)});
     simulation_.capture(snapshot_);

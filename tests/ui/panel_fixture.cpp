@@ -37,7 +37,7 @@ settings::SettingValue lastValue(const UiOutput& output, const std::string& key)
 // The window is tall enough for all sections, so that no test must scroll.
 PanelFixture::PanelFixture(const char* scene)
     : simulation_(builtScene(scene)),
-      panels_({.width = 1280, .height = 3000, .density = 1.0F, .scale = 1.0F}, UserInterface::Backend::None) {
+      panels_({.width = 1280, .height = 4000, .density = 1.0F, .scale = 1.0F}, UserInterface::Backend::None) {
   simulation_.apply(session::PauseCommand{true});
   panels_.openSections(true);
   settle();

@@ -121,15 +121,6 @@ TEST(CarryViewSettings, TakesOnlyWhatTheUserChangedAboutTheView) {
   EXPECT_EQ(target.step.air.drag, settings::Settings().step.air.drag);
 }
 
-TEST(RunningChanges, LeaveOutSettingsOfTheMesh) {
-  settings::Settings to;
-  to.step.air.drag = 3.0;
-  to.grid.width = 4.0;
-  const auto changes = runningChanges(settings::Settings(), to);
-  ASSERT_EQ(changes.size(), 1U);
-  EXPECT_EQ(std::get<session::SetSettingCommand>(changes.front()).key, "drag");
-}
-
 TEST(WindowDefaults, SetAStrainLimitOnlyWhereTheSceneHasNone) {
   settings::Settings none;
   useWindowDefaults(none);

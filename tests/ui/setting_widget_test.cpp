@@ -51,6 +51,8 @@ TEST_F(SettingWidget, EverySettingOfTheTableAppliesSomewhere) {
     settings::assignSetting(settings, settings::requireSetting("integration"), std::string(integration));
     settings.ghost.solver = solver.name;
     settings.step.contact.self = sim::contact::SelfCollision::Hash;
+    settings.view.colourMap = "speed";
+    settings.view.colourRange = "fixed";
     settings::Settings byMass = settings;
     byMass.material.massGivenAs = "mass";
     settings::Settings fabric = settings;
@@ -220,9 +222,10 @@ TEST_F(SettingWidget, RightClickRestoresTheScenesValue) {
   EXPECT_EQ(lastValue(click(widget("solver"), 0.3, 1), "solver"), own);
 }
 
-TEST_F(SettingWidget, RightClickOnTheScenesValueAsksForNothing) {
-  EXPECT_TRUE(click(widget("solver"), 0.3, 1).commands.empty());
-  EXPECT_TRUE(click(widget("drag"), 0.3, 1).commands.empty());
+TEST_F(SettingWidget, RightClickOnTheScenesValueSetsTheDefault) {
+  const settings::SettingInfo& info = settings::requireSetting("solver");
+  EXPECT_EQ(lastValue(click(widget("solver"), 0.3, 1), "solver"), settings::defaultValue(info));
+  EXPECT_TRUE(click(widget("drag"), 0.3, 1).commands.empty()) << "the scene has the default";
 }
 
 TEST_F(SettingWidget, SweepsStayOdd) {

@@ -145,7 +145,7 @@ TEST_F(UserInterfaceTest, ThePathFieldOpensAFile) {
   EXPECT_TRUE(panels_.takesText());
   ImGui::GetIO().AddInputCharactersUTF8("shirt.obj");
   frame();
-  const UiOutput output = click(button("button.open"));
+  const UiOutput output = click(button("scene.path.button"));
   ASSERT_EQ(output.requests.size(), 1U);
   EXPECT_EQ(std::get<OpenSceneRequest>(output.requests.front()).nameOrPath, "shirt.obj");
 }

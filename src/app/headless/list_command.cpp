@@ -78,6 +78,9 @@ Json fabricsAsJson(const settings::OwnFabrics& own) {
     Json row = fabricAsJson({std::string(preset.name), {}, std::string(preset.source), preset.density, preset.material},
                             preset.title, false);
     row["thickness"] = preset.thickness;
+    row["self_static_friction"] = preset.friction.selfStatic;
+    row["self_friction"] = preset.friction.selfKinetic;
+    row["skin_friction"] = preset.friction.skin;
     list.push_back(std::move(row));
   }
   for (const settings::OwnFabric& fabric : own ? *own : std::vector<settings::OwnFabric>()) {
@@ -100,6 +103,11 @@ void printFabrics(const Json& list) {
     }
     if (row.contains("thickness")) {
       std::cout << "    thickness = " << settings::formatValue(row["thickness"].get<double>()) << " m\n";
+    }
+    for (const char* key : {"self_static_friction", "self_friction", "skin_friction"}) {
+      if (row.contains(key)) {
+        std::cout << "    " << key << " = " << settings::formatValue(row[key].get<double>()) << '\n';
+      }
     }
     if (const std::string source = row["source"].get<std::string>(); !source.empty()) {
       std::cout << "    Source: " << source << '\n';

@@ -7,10 +7,12 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   drape::app::addRunCommand(app);
   drape::app::addCaptureCommand(app);
+  drape::app::addBakeCommand(app);
   drape::app::addMeasureCommand(app);
   drape::app::addHardCasesCommand(app);
   drape::app::addValidateCommand(app);
   drape::app::addUntangleCommand(app);
+  drape::app::addSaveCommand(app);
   drape::app::addListCommand(app);
   return drape::app::runProgram(app, argc, argv, [] {});
 }

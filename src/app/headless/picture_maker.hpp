@@ -13,7 +13,7 @@ class PictureMaker {
  public:
   /// @param width, height [pixels]  @param panels draw the user interface beside the cloth
   /// @param fontScale of the panels; 0 chooses by the picture's height
-  PictureMaker(int width, int height, bool panels, double fontScale, const scene::CameraPose& pose);
+  PictureMaker(int width, int height, bool panels, double fontScale, const render::Camera& camera);
   PictureMaker(const PictureMaker&) = delete;
   PictureMaker& operator=(const PictureMaker&) = delete;
   ~PictureMaker();

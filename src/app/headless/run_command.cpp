@@ -1,8 +1,13 @@
 #include "app/command_line.hpp"
+#include "app/export/frame_rate.hpp"
+#include "app/export/motion_export.hpp"
+#include "app/export/output_name.hpp"
+#include "app/headless/checkpoint_file.hpp"
 #include "app/headless/commands.hpp"
 #include "app/headless/intact.hpp"
 #include "app/headless/intersection_watch.hpp"
 #include "app/headless/position_writer.hpp"
+#include "app/headless/probe_writer.hpp"
 #include "app/headless/run_stats.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/progress_line.hpp"
@@ -18,6 +23,7 @@
 #include "sim/forces/diagnostics.hpp"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <limits>
@@ -37,10 +43,14 @@ struct RunArguments {
   double every = 0.0;
   std::int64_t checkIntersections = 0;
   int jitter = 0;
+  ExportArguments exports;
+  ProbeArguments probes;
+  std::string save;    // the file of a checkpoint
+  std::string resume;  // likewise
 };
 
 /// Longer runs would take days and are probably a mistake.
-constexpr double maxSeconds = 1e5;
+constexpr double longestRun = 1e5;
 constexpr double maxSteps = 1e9;
 
 std::int64_t stepsFor(double seconds, double timeStep) {
@@ -122,7 +132,7 @@ void warn(const session::Simulation& simulation) {
 /// The figures, positions and checks of a run, one step after the other.
 class RunOutputs {
  public:
-  RunOutputs(const RunArguments& arguments, const session::Simulation& simulation, std::int64_t steps)
+  RunOutputs(const RunArguments& arguments, session::Simulation& simulation, std::int64_t steps)
       : stats_(arguments.stats, steps), progress_(std::in_place), steps_(static_cast<double>(steps)) {
     if (!arguments.positions.empty()) {
       positions_.emplace(arguments.positions, arguments.every, simulation.settings().step.timeStep);
@@ -131,6 +141,12 @@ class RunOutputs {
     if (arguments.checkIntersections > 0) {
       intersections_.emplace(arguments.checkIntersections);
       intersections_->observe(simulation);
+    }
+    if (!arguments.exports.files.empty()) {
+      exports_.emplace(arguments.exports, simulation, steps);
+    }
+    if (!arguments.probes.vertices.empty()) {
+      probes_.emplace(arguments.probes, simulation);
     }
   }
 
@@ -141,6 +157,12 @@ class RunOutputs {
     }
     if (intersections_) {
       intersections_->observe(simulation);
+    }
+    if (exports_) {
+      exports_->sample(simulation);
+    }
+    if (probes_) {
+      probes_->sample(simulation);
     }
     progress_->show("simulating", ++taken_, steps_);
   }
@@ -158,9 +180,20 @@ class RunOutputs {
     if (positions_) {
       positions_->close();
     }
+    if (probes_) {
+      probes_->close();
+    }
+    if (exports_) {
+      exports_->finish(simulation, simulation.state().positions);
+    }
     printSummary(simulation, figures);
     if (intersections_) {
       std::cout << intersections_->summary() << '\n';
+    }
+    if (exports_) {
+      for (const std::string& line : exports_->summary()) {
+        std::cout << line << '\n';
+      }
     }
   }
 
@@ -168,6 +201,8 @@ class RunOutputs {
   RunStats stats_;
   std::optional<PositionWriter> positions_;
   std::optional<IntersectionWatch> intersections_;
+  std::optional<MotionExport> exports_;
+  std::optional<ProbeWriter> probes_;
   std::optional<ProgressLine> progress_;
   double steps_;
   double taken_ = 0.0;
@@ -195,6 +230,18 @@ void replay(const RunArguments& arguments) {
   std::cout << "the replay ends in the same state as the session\n";
 }
 
+/// The number of steps to the end of the run.
+std::int64_t stepsLeft(double seconds, const session::Simulation& simulation) {
+  const double left = seconds - simulation.state().time;
+  const double timeStep = simulation.settings().step.timeStep;
+  if (left < -0.5 * timeStep) {
+    throw messages::UsageError(
+        fmt::format("the checkpoint is at {:.6g} s; --seconds is the end of the whole run and must not be before",
+                    simulation.state().time));
+  }
+  return stepsFor(std::max(0.0, left), timeStep);
+}
+
 void run(RunArguments arguments) {
   if (!arguments.positions.empty() && !(arguments.every > 0.0)) {
     throw messages::UsageError("--positions needs --every SECONDS: the simulated time between two samples");
@@ -207,9 +254,19 @@ void run(RunArguments arguments) {
     throw messages::UsageError("--seconds is required: the simulated time [s]. Only --replay does without it.");
   }
   arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
+  if (arguments.exports.hasFrames()) {
+    arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
+  }
   session::Simulation simulation(report::withJitteredStart(arguments.scene.load(), arguments.jitter));
   printSolverWarnings(simulation.settings(), simulation.model());
-  const std::int64_t steps = stepsFor(*arguments.seconds, simulation.settings().step.timeStep);
+  if (!arguments.resume.empty()) {
+    resumeFrom(arguments.resume, simulation);
+  }
+  std::optional<CheckpointFile> save;
+  if (!arguments.save.empty()) {
+    save.emplace(withSettings(arguments.save, simulation.settings()), simulation);
+  }
+  const std::int64_t steps = stepsLeft(*arguments.seconds, simulation);
   RunOutputs outputs(arguments, simulation, steps);
   for (std::int64_t i = 0; i < steps && !simulation.blewUp(); ++i) {
     simulation.step();
@@ -217,6 +274,9 @@ void run(RunArguments arguments) {
   }
   outputs.finish(simulation);
   requireIntact(simulation);
+  if (save) {
+    save->write(simulation);
+  }
 }
 
 }  // namespace
@@ -230,8 +290,17 @@ void addRunCommand(CLI::App& app) {
                    "Move each free vertex of the start by up to 1 % of an edge; the number is the seed, 0: not")
       ->type_name("SEED")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()));
+  arguments->exports.addTo(*command);
+  arguments->probes.addTo(*command);
+  command->add_option("--save", arguments->save, "Write a checkpoint at the end, from which --resume continues")
+      ->type_name("FILE")
+      ->check(notEmpty());
+  command
+      ->add_option("--resume", arguments->resume, "Continue from a checkpoint, to the same bits; --seconds is the end")
+      ->type_name("FILE")
+      ->check(notEmpty());
   CLI::Option* seconds =
-      command->add_option("--seconds", arguments->seconds, "Simulated time [s]")->check(numberFrom(0.0, maxSeconds));
+      command->add_option("--seconds", arguments->seconds, "Simulated time [s]")->check(numberFrom(0.0, longestRun));
   command
       ->add_option("--replay", arguments->replay,
                    "Run a session again that 'drape --record' wrote, and check that it ends in the same bits")
@@ -241,7 +310,10 @@ void addRunCommand(CLI::App& app) {
       ->excludes("scene")
       ->excludes("--set")
       ->excludes("--fabrics")
-      ->excludes("--jitter");
+      ->excludes("--jitter")
+      ->excludes("--export")
+      ->excludes("--save")
+      ->excludes("--resume");
   command->add_option("--threads", arguments->threads,
                       "Maximum number of threads of a step; the result does not depend on it");
   command->add_option("--stats", arguments->stats, "Write the statistics of the run to this file (JSON)")
@@ -251,7 +323,7 @@ void addRunCommand(CLI::App& app) {
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
-      ->check(numberFrom(1e-6, maxSeconds));
+      ->check(numberFrom(1e-6, longestRun));
   command
       ->add_option("--check-intersections", arguments->checkIntersections,
                    "Count intersecting triangles exactly, at every N-th step and the last")

@@ -50,7 +50,7 @@ nlohmann::ordered_json stabilityLimit(const sim::ClothModel& model, const settin
 /// What the fabric's rest shape is, and for a pattern its scale and the strain of the mesh against it.
 nlohmann::ordered_json restShapeJson(const session::Simulation& simulation) {
   const sim::ClothModel& model = simulation.model();
-  if (!model.fabric->meshStrain) {
+  if (!model.fabric->meshStrain || !settings::restsOnPattern(simulation.settings())) {
     return {{"from", "mesh"}, {"area", model.restArea()}};
   }
   const auto& [median, high] = *model.fabric->meshStrain;

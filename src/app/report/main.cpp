@@ -8,11 +8,15 @@
 #include "report/machine.hpp"
 #include "report/plain_text.hpp"
 #include "report/sections/set_ups.hpp"
+#include "report/trajectory.hpp"
 
 #include <chrono>
 #include <cmath>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace drape::app {
 namespace {
@@ -31,7 +35,32 @@ struct ReportArguments {
   std::string output;
   std::string compare;
   bool resume = false;
+  SceneArguments own;  ///< --scene and --set, with a budget
+  std::optional<double> budget;
+  std::optional<double> seconds;
 };
+
+/// The options for one's own cloth.
+void addBudgetOptions(CLI::App& app, ReportArguments& arguments) {
+  constexpr double minBudget = 0.01;
+  constexpr double maxBudget = 1000.0;
+  constexpr double minSeconds = 0.034;  // one checkpoint
+  constexpr double maxSeconds = 10.0;
+  app.add_option("--budget", arguments.budget,
+                 "Find the method for the cloth of --scene, with its contact, that has the smallest error for this "
+                 "computing time per frame of 1/60 s [ms]")
+      ->type_name("MS")
+      ->check(numberFrom(minBudget, maxBudget));
+  app.add_option("--set", arguments.own.settings,
+                 "With --budget: set a setting; may be repeated ('drape-headless list settings' lists them)")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(notEmpty());
+  app.add_option("--seconds", arguments.seconds, "With --budget: the motion at whose end errors count [s] (0.5)")
+      ->check(numberFrom(minSeconds, maxSeconds));
+  addFabricsOption(app, arguments.own.fabrics);
+}
 
 void addTo(CLI::App& app, ReportArguments& arguments) {
   constexpr int maxThreads = 64;
@@ -49,8 +78,9 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(notEmpty());
   app.add_option("--scene", arguments.options.scene,
-                 "Compare methods on this scene only: hang, flag, crush, twist or any scene with a grid")
-      ->type_name("NAME")
+                 "Compare methods on this scene only: hang, flag, crush, twist or any scene with a grid; with --budget "
+                 "any scene, scene file or mesh file")
+      ->type_name("SCENE|MESH")
       ->check(notEmpty());
   app.add_option("--threads", arguments.options.threads,
                  "Threads of a step in measurements that do not compare methods (1)")
@@ -60,37 +90,76 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
                  "List changes beyond noise since this earlier report.json; exit status 3 when there are any")
       ->type_name("OLD.json")
       ->check(notEmpty());
-  app.add_option("--output", arguments.output, "Folder for report.html, report.md and report.json")
+  app.add_option("--output", arguments.output,
+                 "Folder for report.html, report.md and report.json; required without --budget")
       ->type_name("DIR")
-      ->required()
       ->check(notEmpty());
+  addBudgetOptions(app, arguments);
 }
 
 /// Saves the measurements every few seconds, since the program may be killed.
 class ReportSaver {
  public:
-  ReportSaver(const ReportFolder& folder, report::Report& report) : folder_(folder), report_(report) {}
+  /// @param folder empty: nothing is saved
+  ReportSaver(const std::optional<ReportFolder>& folder, report::Report& report) : folder_(folder), report_(report) {}
 
   void save() {
     constexpr std::chrono::seconds pause(5);
-    if (std::chrono::steady_clock::now() - last_ > pause) {
-      folder_.writeJson(report_);
+    if (folder_ && std::chrono::steady_clock::now() - last_ > pause) {
+      folder_->writeJson(report_);
       last_ = std::chrono::steady_clock::now();
     }
   }
 
  private:
-  const ReportFolder& folder_;
+  const std::optional<ReportFolder>& folder_;
   report::Report& report_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-report::Report prepare(const ReportArguments& arguments, const ReportFolder& folder) {
+/// Throws UsageError for options that do not go together.
+void requireConsistent(const ReportArguments& arguments) {
+  const bool hasBudget = arguments.budget.has_value();
+  if (hasBudget && arguments.options.scene.empty()) {
+    throw messages::UsageError("--budget needs --scene with the scene or the mesh file of the cloth");
+  }
+  if (hasBudget && !arguments.options.only.empty()) {
+    throw messages::UsageError("--only does not go with --budget, which measures the cloth of --scene alone");
+  }
+  if (!hasBudget && (!arguments.own.settings.empty() || arguments.seconds || !arguments.own.fabrics.empty())) {
+    throw messages::UsageError("--set, --seconds and --fabrics need --budget");
+  }
+  if (!arguments.output.empty()) {
+    return;
+  }
+  if (!hasBudget || arguments.resume || !arguments.compare.empty()) {
+    throw messages::UsageError("--output is required: the folder for report.html, report.md and report.json");
+  }
+}
+
+/// The options of the report, with the cloth of --budget. Throws as SceneArguments::load does.
+report::ReportOptions optionsOf(const ReportArguments& arguments) {
+  constexpr double usualSeconds = 0.5;
+  report::ReportOptions options = arguments.options;
+  if (!arguments.budget) {
+    (void)report::sections::comparedSetUps(options.scene);  // reports wrong names before the measurements
+    return options;
+  }
+  SceneArguments own = arguments.own;
+  own.scene = options.scene;
+  options.own = report::OwnCloth{own.load(), own.settings, *arguments.budget, arguments.seconds.value_or(usualSeconds)};
+  (void)report::stepsPerCheckpoint(options.own->scene->settings.step.timeStep);
+  options.only = {std::string(report::budgetSection)};
+  return options;
+}
+
+report::Report prepare(const ReportArguments& arguments, report::ReportOptions options,
+                       const std::optional<ReportFolder>& folder) {
   report::Report report;
   report.machine = report::machineJson(report::buildInfo());
-  report.options = arguments.options;
+  report.options = std::move(options);
   if (arguments.resume) {
-    const auto earlier = folder.earlier();
+    const auto earlier = folder->earlier();
     if (!earlier.is_null()) {
       report.rows = report::rowsToResume(earlier, report);
     }
@@ -109,6 +178,16 @@ void print(const std::vector<report::Block>& blocks) {
   }
 }
 
+/// The result for one's own cloth.
+std::vector<report::Block> budgetBlocks(const report::Report& report) {
+  for (const report::Section& section : report::sectionTable()) {
+    if (section.name == report::budgetSection) {
+      return section.show(report.options, report::rowsOf(report, section));
+    }
+  }
+  return {};
+}
+
 /// Compares the report with the earlier one; true when something changed.
 bool compare(const nlohmann::ordered_json& older, report::Report& report) {
   if (older.is_null()) {
@@ -121,9 +200,13 @@ bool compare(const nlohmann::ordered_json& older, report::Report& report) {
 
 /// Whether something changed since the earlier report.
 bool run(const ReportArguments& arguments, StopSignal& stop) {
-  (void)report::sections::comparedSetUps(arguments.options.scene);  // reports wrong names before the measurements
-  const ReportFolder folder(arguments.output);
-  report::Report report = prepare(arguments, folder);
+  requireConsistent(arguments);
+  report::ReportOptions options = optionsOf(arguments);
+  std::optional<ReportFolder> folder;
+  if (!arguments.output.empty()) {
+    folder.emplace(arguments.output);
+  }
+  report::Report report = prepare(arguments, std::move(options), folder);
   nlohmann::ordered_json older;
   if (!arguments.compare.empty()) {
     older = readReport(arguments.compare);  // read it now: the program may overwrite this file
@@ -143,10 +226,16 @@ bool run(const ReportArguments& arguments, StopSignal& stop) {
     report.complete = report::measureSections(report.options, report.rows, hooks);
   }
   const bool moved = compare(older, report);
-  folder.writeAll(report);
-  std::cout << "written to " << arguments.output << "/report.html, report.md and report.json\n";
+  if (report.options.own) {
+    print(budgetBlocks(report));
+  }
+  if (folder) {
+    folder->writeAll(report);
+    std::cout << "written to " << arguments.output << "/report.html, report.md and report.json\n";
+  }
   if (!report.complete) {
-    throw messages::InputError("stopped before the end; --resume continues from here");
+    throw messages::InputError(folder ? "stopped before the end; --resume continues from here"
+                                      : "stopped before the end");
   }
   return moved;
 }

@@ -48,6 +48,10 @@ int main(int argc, char** argv) {
                  "Write the session to this file at the end, for 'drape-headless run --replay'")
       ->type_name("FILE")
       ->check(drape::app::notEmpty());
+  bool noSettings = false;
+  app.add_flag("--no-settings", noSettings,
+               "Neither read nor write the preferences of the window: its size and place, theme, sections and recent "
+               "files");
   app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
   app.footer(drape::app::StatusFile::help);
   return drape::app::runProgram(app, argc, argv, [&] {
@@ -57,7 +61,8 @@ int main(int argc, char** argv) {
     // The first save creates a list that does not exist yet.
     auto fabrics = drape::app::readFabricList(scene.fabrics, drape::app::FabricList::Missing::Allowed);
     const auto loaded = scene.load(fabrics.fabrics());
-    drape::app::Viewer viewer(loaded, std::move(fabrics), options);
+    drape::app::PreferencesFile preferences(noSettings ? std::filesystem::path() : drape::app::usualPreferencesFile());
+    drape::app::Viewer viewer(loaded, std::move(fabrics), std::move(preferences), options);
     viewer.run();
   });
 }

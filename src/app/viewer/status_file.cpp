@@ -199,11 +199,43 @@ Json describeSimulation(const session::Snapshot& snapshot) {
           {"warning", session::solverWarning(snapshot.settings, *snapshot.model)}};
 }
 
+Json colourMapOf(const ViewerStatus& status) {
+  const fields::ShownField* shown = status.stats.field;
+  if (shown == nullptr || shown->field == nullptr) {
+    return nullptr;
+  }
+  return {{"field", shown->field->name},
+          {"shown", shown->isShown()},
+          {"low", shown->range.low},
+          {"high", shown->range.high},
+          {"problem", shown->problem}};
+}
+
+Json timelineOf(const session::Snapshot& snapshot) {
+  if (!snapshot.timeline) {
+    return nullptr;
+  }
+  return {{"begin", snapshot.timeline->begin},
+          {"end", snapshot.timeline->end},
+          {"states", snapshot.timeline->states},
+          {"megabytes", snapshot.timeline->megabytes}};
+}
+
+Json exportOf(const ui::UiStats& stats) {
+  if (!stats.exporting) {
+    return nullptr;
+  }
+  return {{"file", stats.exporting->file}, {"share", stats.exporting->share}};
+}
+
 Json describeAll(const ViewerStatus& status) {
   Json json = describeSimulation(status.snapshot);
   const scene::CameraPose& pose = status.camera.pose();
-  json["camera"] = {
-      {"position", toJson(pose.position)}, {"focal_point", toJson(pose.focalPoint)}, {"view_angle", pose.viewAngle}};
+  json["camera"] = {{"position", toJson(pose.position)},
+                    {"focal_point", toJson(pose.focalPoint)},
+                    {"view_angle", pose.viewAngle},
+                    {"orthographic", status.camera.isOrthographic()},
+                    {"turns", status.stats.camera.turns}};
   json["window"] = {{"width", status.display.width},
                     {"height", status.display.height},
                     {"density", status.display.density},
@@ -211,8 +243,17 @@ Json describeAll(const ViewerStatus& status) {
   json["view"] = toJson(status.panels.view());
   json["panels"] = status.panels.panelsVisible();
   json["help"] = status.panels.helpVisible();
+  json["theme"] = ui::themes()[static_cast<std::size_t>(status.panels.theme())].name;
   json["widgets"] = toJson(status.panels.widgets());
   json["buttons"] = toJson(status.panels.buttons());
+  json["colour_map"] = colourMapOf(status);
+  json["picked"] = status.panels.picked().vertices();
+  json["timeline"] = timelineOf(status.snapshot);
+  const ui::SelectionView& selection = status.stats.selection;
+  json["selection"] = {{"on", selection.mode != ui::SelectionMode::Off},
+                       {"vertices", selection.points.size()},
+                       {"pinned", selection.pinned}};
+  json["export"] = exportOf(status.stats);
   PlaceFinder places(status);
   json["free_point"] = places.freePoint();
   json["cloth_points"] = places.clothPoints();

@@ -48,6 +48,7 @@ class StatusFile {
       "  camera                   position [m], focal_point [m], view_angle [degrees]\n"
       "  window, view             sizes and the position of the picture, in window coordinates\n"
       "  panels, help             whether they are visible\n"
+      "  theme                    dark or light\n"
       "  widgets, buttons         rectangles by setting key or name, in window coordinates\n"
       "  cloth_points             places in the window where the cloth can be clicked\n"
       "  free_point               a place in the picture without cloth, or null\n"

@@ -1,8 +1,9 @@
 #include "app/viewer/viewer.hpp"
 
+#include "app/exported_cloth.hpp"
 #include "app/session_log.hpp"
+#include "app/viewer/free_name.hpp"
 #include "app/viewer/process_age.hpp"
-#include "app/viewer/screenshot_name.hpp"
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 #include "ui/scene_changes.hpp"
@@ -12,7 +13,9 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <thread>
 
 namespace drape::app {
@@ -46,8 +49,8 @@ Monitor measureMonitor() {
 }
 
 /// Opens the window in the requested size, or in a suitable size for the monitor.
-void resizeWindow(GLFWwindow* window, const ViewerOptions& options) {
-  if (options.windowSize) {
+void resizeWindow(GLFWwindow* window, const ViewerOptions& options, const std::optional<WindowPlace>& kept) {
+  if (options.windowSize || kept) {
     return;
   }
   const Monitor monitor = measureMonitor();
@@ -80,20 +83,25 @@ bool differsInSize(const scene::Scene& a, const scene::Scene& b) {
 
 }  // namespace
 
-Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabrics, const ViewerOptions& options)
+Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabrics, PreferencesFile preferences,
+               const ViewerOptions& options)
     : window_("Drape", openingSize(options).first, openingSize(options).second),
       panels_(measureDisplay(scene->settings.view.fontScale), ui::UserInterface::Backend::OpenGl),
       events_(window_.window()),
       fabrics_(std::move(fabrics)),
+      preferencesFile_(std::move(preferences)),
+      preferences_(preferencesFile_.values()),
+      keepsWindowPlace_(!options.windowSize),
       status_(options.statusFile),
       simulation_(scene, options.paused),
       newScene_(scene) {
-  resizeWindow(window_.window(), options);
+  resizeWindow(window_.window(), options, preferences_.window);
   glfwSetWindowSizeLimits(window_.window(), 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSwapInterval(1);
   if (!options.recordFile.empty()) {
     record_.emplace(options.recordFile, "the session log");
   }
+  restorePreferences();
   if (!fabrics_.problem().empty()) {
     showError(fabrics_.problem());
   }
@@ -105,8 +113,11 @@ void Viewer::run() {
     awaitEvents();
     updateStats(start);
     frame();
+    followExport();
+    keepPreferences();
     pace(start);
   }
+  export_.reset();  // it may wait for the simulation, which ends now
   if (record_) {
     write(sessionLogOf(simulation_.finish()), *record_);
   }
@@ -115,7 +126,7 @@ void Viewer::run() {
 /// Waits when nothing moves, to save power. Any event wakes the window at once.
 void Viewer::awaitEvents() const {
   constexpr auto restless = std::chrono::milliseconds(800);
-  const bool minimised = glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE;
+  const bool minimised = glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE && !export_;
   if (minimised || Clock::now() - lastChange_ > restless) {
     glfwWaitEventsTimeout(minimised ? 0.1 : 0.05);
   } else {
@@ -135,12 +146,18 @@ void Viewer::frame() {
   followScene(snapshot);
   takeLoadedScene(snapshot);
   events_.beginFrame();
+  stats_.field = &fieldDisplay_.update(snapshot, fields_);
+  stats_.fields = &fields_;
   panels_.build(snapshot, stats_, output);
   controller_.setView(panels_.view());
   handleInput(snapshot, output);
+  followCamera(snapshot);
+  watchChanges(snapshot, output);
   draw(snapshot);
   status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, firstFrameSeconds_});
   execute(output, snapshot);
+  takeChosenFiles(snapshot);
+  followPicks();
 }
 
 void Viewer::draw(const session::Snapshot& snapshot) {
@@ -148,7 +165,8 @@ void Viewer::draw(const session::Snapshot& snapshot) {
   const auto pixels = [&](double length) {
     return std::max(1, static_cast<int>(std::lround(length * display_.density)));
   };
-  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height));
+  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height),
+                 {.field = stats_.field, .picked = panels_.picked().vertices()});
   blit(view);
   panels_.renderDrawData();
   glfwSwapBuffers(window_.window());
@@ -219,7 +237,7 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
   }
   if (outcome->kind == Kind::Rebuilt) {
     // Keep the user's changes since the start of the build.
-    for (auto& change : ui::runningChanges(outcome->scene->settings, snapshot.settings)) {
+    for (auto& change : session::runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
     }
   } else if (outcome->kind == Kind::Opened) {
@@ -238,6 +256,10 @@ void Viewer::followScene(const session::Snapshot& snapshot) {
   if (shownScene_ == newScene_) {
     openedScene_ = shownScene_;
     controller_.lookAtScene(*shownScene_);
+    undo_.forget();
+    savedFile_.clear();
+    savedState_.reset();
+    noteOpenedFiles(shownScene_->description.parts);
     newScene_.reset();
   } else if (shownScene_ == resizedScene_) {
     controller_.frameCloth(snapshot);
@@ -365,6 +387,58 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
     case ui::UiAction::Screenshot:
       saveScreenshot(snapshot);
       break;
+    case ui::UiAction::SaveCloth:
+      on(ui::SaveClothRequest{}, snapshot);
+      break;
+    case ui::UiAction::SaveScene:
+      on(ui::SaveSceneRequest{}, snapshot);
+      break;
+    case ui::UiAction::OpenFile:
+      openFileDialog();
+      break;
+    case ui::UiAction::Search:
+      panels_.toggleSearch(preferences_.recentFiles);
+      break;
+    case ui::UiAction::Undo:
+    case ui::UiAction::Redo:
+      undoOrRedo(action, snapshot);
+      break;
+    case ui::UiAction::NextTheme:
+      on(ui::ThemeRequest{panels_.theme() == ui::Theme::Dark ? ui::Theme::Light : ui::Theme::Dark}, snapshot);
+      break;
+    case ui::UiAction::ShowExport:
+      panels_.showExport();
+      break;
+    case ui::UiAction::CancelExport:
+      if (export_) {
+        export_->cancel();
+      }
+      break;
+    case ui::UiAction::SaveProbes:
+      saveProbes(snapshot);
+      break;
+    case ui::UiAction::RecallView1:
+    case ui::UiAction::RecallView2:
+    case ui::UiAction::RecallView3:
+    case ui::UiAction::RecallView4:
+      recallView(static_cast<std::size_t>(action) - static_cast<std::size_t>(ui::UiAction::RecallView1), snapshot);
+      break;
+    case ui::UiAction::KeepView1:
+    case ui::UiAction::KeepView2:
+    case ui::UiAction::KeepView3:
+    case ui::UiAction::KeepView4:
+      keepView(static_cast<std::size_t>(action) - static_cast<std::size_t>(ui::UiAction::KeepView1), snapshot);
+      break;
+    case ui::UiAction::SelectRectangle:
+    case ui::UiAction::SelectBorder:
+    case ui::UiAction::PinSelected:
+    case ui::UiAction::ReleaseSelected:
+    case ui::UiAction::TogglePinsSelected:
+    case ui::UiAction::EndSelection:
+      selectOrPin(action, snapshot);
+      break;
+    case ui::UiAction::ToggleProjection:
+    case ui::UiAction::ToggleTurntable:
     case ui::UiAction::FrameCloth:
     case ui::UiAction::ViewFront:
     case ui::UiAction::ViewRight:
@@ -384,6 +458,13 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
       glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
       break;
   }
+}
+
+void Viewer::selectOrPin(ui::UiAction action, const session::Snapshot& snapshot) {
+  ui::UiOutput output;
+  controller_.select(action, snapshot, output);
+  undo_.noteCommands(output.commands);
+  execute(output, snapshot);
 }
 
 /// Loads the scene as it is when its mesh settings are the author's; otherwise builds it again.
@@ -416,7 +497,7 @@ void Viewer::stopLoadingOrQuit(const session::Snapshot& snapshot) {
 }
 
 void Viewer::quitOrAsk(const session::Snapshot& snapshot) {
-  if (openedScene_ && ui::hasChanges(snapshot, *openedScene_)) {
+  if (hasUnsavedChanges(snapshot) || export_) {
     panels_.askToQuit();
   } else {
     glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
@@ -426,16 +507,61 @@ void Viewer::quitOrAsk(const session::Snapshot& snapshot) {
 void Viewer::saveScreenshot(const session::Snapshot& snapshot) {
   try {
     const std::filesystem::path file =
-        freeScreenshotName(std::filesystem::current_path(), snapshot.scene->description.name);
+        freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".png");
     // Pins are a tool for the user, not part of a picture.
     session::Snapshot bare = snapshot;
     bare.settings.view.pins = false;
     const render::Image shown = renderer_.read();
-    renderer_.draw(bare, controller_.camera(), shown.width, shown.height);
+    renderer_.draw(bare, controller_.camera(), shown.width, shown.height, {.field = stats_.field});
+    if (stats_.field != nullptr && stats_.field->field != nullptr) {
+      const ui::UiRect view = panels_.view();
+      renderer_.bindTarget();
+      panels_.drawLegend(bare, stats_, static_cast<int>(view.width), static_cast<int>(view.height));
+    }
     render::writePng(renderer_.read(), file);
     showNotice("Saved " + file.string());
   } catch (const std::exception& error) {
     showError(error.what());
+  }
+}
+
+void Viewer::on(const ui::SaveClothRequest& request, const session::Snapshot& snapshot) {
+  try {
+    const std::filesystem::path file =
+        request.path.empty() ? freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".obj")
+                             : std::filesystem::absolute(request.path);
+    exportFrame(*snapshot.scene, *snapshot.model, snapshot.positions, file);
+    showNotice("Saved " + file.string());
+  } catch (const std::exception& error) {
+    showError(error.what());
+  }
+}
+
+void Viewer::on(const ui::PickVertexRequest& request, const session::Snapshot& /*snapshot*/) {
+  if (!panels_.pick(request.vertex)) {
+    showNotice("Four vertices are marked. Right click one of them to remove its mark.");
+  }
+}
+
+void Viewer::saveProbes(const session::Snapshot& snapshot) {
+  try {
+    const std::filesystem::path file =
+        freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".csv");
+    if (!replaceFile(file, panels_.picked().csv())) {
+      throw messages::InputError("could not write " + file.string() + ": " + std::strerror(errno));
+    }
+    showNotice("Saved " + file.string());
+  } catch (const std::exception& error) {
+    showError(error.what());
+  }
+}
+
+/// Asks the simulation for velocities and contact loads while vertices are picked.
+void Viewer::followPicks() {
+  const bool picked = !panels_.picked().vertices().empty();
+  if (picked != observes_) {
+    observes_ = picked;
+    simulation_.post(session::ObserveCommand{picked});
   }
 }
 

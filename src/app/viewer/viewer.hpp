@@ -2,17 +2,24 @@
 
 #include "app/fabric_list.hpp"
 #include "app/output_file.hpp"
+#include "app/viewer/export_job.hpp"
+#include "app/viewer/file_dialog.hpp"
+#include "app/viewer/film_painter.hpp"
+#include "app/viewer/preferences.hpp"
 #include "app/viewer/status_file.hpp"
 #include "app/viewer/window_events.hpp"
+#include "fields/shown_field.hpp"
 #include "render/renderer.hpp"
 #include "render/window_context.hpp"
 #include "session/simulation_thread.hpp"
 #include "ui/interaction_controller.hpp"
 #include "ui/scene_loader.hpp"
+#include "ui/undo.hpp"
 #include "ui/user_interface.hpp"
 
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -32,7 +39,8 @@ struct ViewerOptions {
 class Viewer {
  public:
   /// @param fabrics of the user, with which the scene was opened
-  Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabrics, const ViewerOptions& options);
+  Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabrics, PreferencesFile preferences,
+         const ViewerOptions& options);
 
   /// Returns when the user quits. Then the session log is written; throws InputError when that fails.
   void run();
@@ -55,7 +63,30 @@ class Viewer {
   void on(const ui::DroppedRequest& request, const session::Snapshot& snapshot);
   void on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot);
   void on(const ui::SaveFabricRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::SaveClothRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::SaveSceneRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::ThemeRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::PickVertexRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::ExportRequest& request, const session::Snapshot& snapshot);
+  [[nodiscard]] std::future<session::RecordedState> presentState();
+  void followExport();
+  void saveProbes(const session::Snapshot& snapshot);
+  void followPicks();
+  void followCamera(const session::Snapshot& snapshot);
+  [[nodiscard]] std::string sceneKey(const session::Snapshot& snapshot) const;
+  void keepView(std::size_t place, const session::Snapshot& snapshot);
+  void recallView(std::size_t place, const session::Snapshot& snapshot);
   void on(ui::UiAction action, const session::Snapshot& snapshot);
+  void selectOrPin(ui::UiAction action, const session::Snapshot& snapshot);
+  void undoOrRedo(ui::UiAction action, const session::Snapshot& snapshot);
+  void watchChanges(const session::Snapshot& snapshot, ui::UiOutput& output);
+  [[nodiscard]] bool hasUnsavedChanges(const session::Snapshot& snapshot) const;
+  void openFileDialog();
+  void takeChosenFiles(const session::Snapshot& snapshot);
+  void noteOpenedFiles(const scene::SceneParts& parts);
+  void noteFile(const std::filesystem::path& file);
+  void restorePreferences();
+  void keepPreferences();
   void keepOwnFabrics(const session::Snapshot& snapshot);
   void resetAll(const session::Snapshot& snapshot);
   void stopLoadingOrQuit(const session::Snapshot& snapshot);
@@ -73,21 +104,36 @@ class Viewer {
   ui::InteractionController controller_;
   ui::SceneLoader loader_;
   FabricList fabrics_;
+  PreferencesFile preferencesFile_;
+  Preferences preferences_;
+  bool keepsWindowPlace_ = true;
+  std::optional<WindowPlace> firstPlace_;  ///< of the window, until the user changes it
+  FileDialog dialog_;
+  ui::Undo undo_;
   StatusFile status_;
   std::optional<OutputFile> record_;
   session::SimulationThread simulation_;
+  std::optional<FilmPainter> filmPainter_;  ///< of the film that is written
+  std::unique_ptr<ExportJob> export_;       ///< null: none is under way
 
   std::shared_ptr<const scene::Scene> shownScene_;   ///< the title bar has its name
   std::shared_ptr<const scene::Scene> openedScene_;  ///< the last opened scene, before any change of its settings
   std::shared_ptr<const scene::Scene> newScene_;     ///< not shown yet; the camera will take the view of the scene file
   std::shared_ptr<const scene::Scene> resizedScene_;  ///< not shown yet; the camera will keep its direction
+  std::filesystem::path savedFile_;                   ///< of this scene, if the user saved it; empty: none
+  std::optional<session::UserState> savedState_;      ///< in that file
   std::string notOpened_;                             ///< dropped files that were not opened, and why
   ui::UiStats stats_;
+  fields::SnapshotFields fields_;
+  fields::FieldDisplay fieldDisplay_;
+  bool observes_ = false;  ///< whether the simulation was asked for what picked vertices need
   ui::UiDisplay display_;
   Vec2 mouse_ = Vec2::Zero();
   Clock::time_point lastFrame_ = Clock::now();
   Clock::time_point noticeEnds_ = Clock::now();
+  Clock::time_point nextKeep_ = Clock::now();    ///< when the preferences are compared with their file again
   Clock::time_point lastChange_ = Clock::now();  ///< time of the last motion or user input
+  double lastTurn_ = 0.0;                        ///< when the turntable turned last, by GLFW's clock [s]
   std::int64_t frameCount_ = 0;
   double firstFrameSeconds_ = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };

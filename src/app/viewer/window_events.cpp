@@ -29,11 +29,17 @@ std::optional<ui::MouseButton> mouseButton(int button) {
 
 /// Keys with the same position on all keyboards.
 std::optional<ui::Key> fixedKey(int key) {
-  static constexpr std::array<std::pair<int, ui::Key>, 11> keys{{
+  static constexpr std::array<std::pair<int, ui::Key>, 17> keys{{
       {GLFW_KEY_SPACE, ui::Key::Space},
       {GLFW_KEY_ESCAPE, ui::Key::Escape},
       {GLFW_KEY_F1, ui::Key::Help},
+      {GLFW_KEY_F5, ui::Key::F5},
+      {GLFW_KEY_F6, ui::Key::F6},
+      {GLFW_KEY_F7, ui::Key::F7},
+      {GLFW_KEY_F8, ui::Key::F8},
       {GLFW_KEY_F12, ui::Key::F12},
+      {GLFW_KEY_5, ui::Key::Five},
+      {GLFW_KEY_KP_5, ui::Key::Five},
       {GLFW_KEY_KP_DECIMAL, ui::Key::Period},
       {GLFW_KEY_1, ui::Key::One},
       {GLFW_KEY_3, ui::Key::Three},
@@ -60,18 +66,36 @@ std::optional<ui::Key> letterKey(int key, int scancode, bool shift) {
   switch (std::tolower(static_cast<unsigned char>(text.front()))) {
     case '.':
       return ui::Key::Period;
+    case ',':
+      return ui::Key::Comma;
+    case 'b':
+      return ui::Key::B;
+    case 'e':
+      return ui::Key::E;
     case 'f':
       return ui::Key::F;
     case 'h':
       return ui::Key::H;
+    case 'l':
+      return ui::Key::L;
+    case 'o':
+      return ui::Key::O;
     case 'p':
       return ui::Key::P;
     case 'r':
       return ui::Key::R;
+    case 's':
+      return ui::Key::S;
+    case 't':
+      return ui::Key::T;
     case 'w':
       return ui::Key::W;
+    case 'y':
+      return ui::Key::Y;
+    case 'z':
+      return ui::Key::Z;
     case '/':
-      return shift ? std::optional(ui::Key::Help) : std::nullopt;
+      return shift ? ui::Key::Help : ui::Key::Slash;
     case '?':
       return ui::Key::Help;
     default:
@@ -218,7 +242,8 @@ void WindowEvents::feed(const ui::RawKey& key) {
     meaning = letterKey(key.key, key.scancode, (key.modifiers & GLFW_MOD_SHIFT) != 0);
   }
   if (meaning) {
-    batch_.input.emplace_back(ui::KeyEvent{*meaning, repeated});
+    batch_.input.emplace_back(ui::KeyEvent{*meaning, repeated, (key.modifiers & GLFW_MOD_CONTROL) != 0,
+                                           (key.modifiers & GLFW_MOD_SHIFT) != 0});
   }
 }
 

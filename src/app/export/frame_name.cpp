@@ -1,8 +1,9 @@
-#include "app/headless/frame_name.hpp"
+#include "app/export/frame_name.hpp"
 
 #include "messages/error.hpp"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <cctype>
 
 namespace drape::app {
@@ -10,9 +11,10 @@ namespace {
 
 constexpr int maxDigits = 9;
 
-[[noreturn]] void refuse(std::string_view pattern, const std::string& why) {
-  throw messages::UsageError("--output '" + std::string(pattern) + "': " + why +
-                             "; for example out/frame_{frame:4}.png");
+[[noreturn]] void refuse(std::string_view option, std::string_view pattern, const std::string& why) {
+  const std::size_t dot = std::min(pattern.rfind('.'), pattern.size());
+  throw messages::UsageError(std::string(option) + " '" + std::string(pattern) + "': " + why +
+                             "; for example out/frame_{frame:4}" + std::string(pattern.substr(dot)));
 }
 
 /// The number of digits in "frame" or "frame:4"; -1 for any other word.
@@ -32,11 +34,11 @@ int digitsOf(std::string_view word) {
 
 }  // namespace
 
-FramePattern::FramePattern(std::string_view pattern, int frames) {
+FramePattern::FramePattern(std::string_view pattern, int frames, std::string_view option) {
   const auto open = pattern.find('{');
   if (open == std::string_view::npos) {
     if (frames > 1) {
-      refuse(pattern, "several frames need a placeholder for their number");
+      refuse(option, pattern, "several frames need a placeholder for their number");
     }
     before_ = pattern;
     return;
@@ -44,7 +46,7 @@ FramePattern::FramePattern(std::string_view pattern, int frames) {
   const auto close = pattern.find('}', open);
   digits_ = close == std::string_view::npos ? -1 : digitsOf(pattern.substr(open + 1, close - open - 1));
   if (digits_ < 0) {
-    refuse(pattern, "the placeholder for the number is {frame} or {frame:DIGITS}, with 1 to 9 digits");
+    refuse(option, pattern, "the placeholder for the number is {frame} or {frame:DIGITS}, with 1 to 9 digits");
   }
   before_ = pattern.substr(0, open);
   after_ = pattern.substr(close + 1);

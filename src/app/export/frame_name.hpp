@@ -9,7 +9,8 @@ namespace drape::app {
 class FramePattern {
  public:
   /// Throws UsageError for another word in braces, or for more than one frame without a placeholder.
-  FramePattern(std::string_view pattern, int frames);
+  /// @param option that gives the pattern, for messages
+  FramePattern(std::string_view pattern, int frames, std::string_view option = "--output");
 
   [[nodiscard]] std::string name(int frame) const;
 

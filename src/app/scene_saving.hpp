@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/scene_writer.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace drape::app {
+
+/// Whether a file may be replaced.
+enum class Existing { Refused, Replaced };
+
+/// The file that a path of the user means: absolute, and with the ending .toml if it has none. Throws InputError for
+/// another ending.
+[[nodiscard]] std::filesystem::path sceneFile(const std::filesystem::path& path);
+
+/// Writes a scene file: beside the old one, which it then replaces, so that nothing is lost when this fails. Throws
+/// InputError when the file exists and may not be replaced, or cannot be written.
+/// @param file as sceneFile() returns it  @return what the file cannot contain, one sentence each
+std::vector<std::string> saveScene(const scene::Scene& scene, const scene::SceneNow& now,
+                                   const std::filesystem::path& file, Existing existing);
+
+}  // namespace drape::app

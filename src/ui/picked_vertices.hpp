@@ -1,0 +1,49 @@
+#pragma once
+
+#include "fields/probes.hpp"
+#include "session/snapshot.hpp"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace drape::ui {
+
+/// The vertices that the user has marked, and their values in the last seconds of simulated time. Another mesh and a
+/// reset start the values again; another scene has no marks.
+class PickedVertices {
+ public:
+  static constexpr std::size_t maxCount = 4;
+  /// Length of the history [s].
+  static constexpr double window = 20.0;
+  /// Minimum distance between samples, except for the newest [s].
+  static constexpr double spacing = 0.02;
+
+  /// The values at one simulated time.
+  struct Sample {
+    double time = 0.0;           ///< [s]
+    std::vector<double> values;  ///< as of fields::probe()
+  };
+
+  /// Marks a vertex, or removes its mark. @return false if no more can be marked
+  bool toggle(int vertex);
+  void clear();
+
+  /// Adds the values of a snapshot. Adding the same one again changes nothing.
+  void follow(const session::Snapshot& snapshot, fields::SnapshotFields& fields);
+
+  [[nodiscard]] std::span<const int> vertices() const { return vertices_; }
+  /// In order of time.
+  [[nodiscard]] std::span<const Sample> samples() const { return samples_; }
+  /// All samples as a table (fields::probeTitles).
+  [[nodiscard]] std::string csv() const;
+
+ private:
+  std::vector<int> vertices_;
+  std::vector<Sample> samples_;
+  std::shared_ptr<const scene::Scene> scene_;
+  std::int64_t version_ = -1;
+};
+
+}  // namespace drape::ui

@@ -1,0 +1,97 @@
+#include "text/number_text.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <string>
+
+namespace drape::ui {
+namespace {
+
+constexpr const char* rectangleHelp = "Drag a rectangle over vertices, or click one. Shift adds, Ctrl removes.";
+constexpr const char* borderHelp = "Click near an open border. Shift adds, Ctrl removes.";
+
+void request(PanelContext& context, UiAction action) {
+  context.output.requests.emplace_back(action);
+}
+
+/// The dots on the selected vertices, and the rectangle while it is dragged.
+void drawSelection(const SelectionView& selection, const UiRect& view, float scale) {
+  ImDrawList& canvas = *ImGui::GetBackgroundDrawList();
+  const ImVec2 low{static_cast<float>(view.x), static_cast<float>(view.y)};
+  canvas.PushClipRect(low, {low.x + static_cast<float>(view.width), low.y + static_cast<float>(view.height)});
+  const ImU32 colour = ImGui::GetColorU32(palette().warning);
+  const float half = 2.0F * scale;
+  for (const Vec2& point : selection.points) {
+    const ImVec2 at{static_cast<float>(point.x()), static_cast<float>(point.y())};
+    canvas.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, colour);
+  }
+  if (const auto& rectangle = selection.rectangle) {
+    const ImVec2 from{static_cast<float>(rectangle->x), static_cast<float>(rectangle->y)};
+    const ImVec2 to{from.x + static_cast<float>(rectangle->width), from.y + static_cast<float>(rectangle->height)};
+    ImVec4 fill = palette().accent;
+    fill.w = 0.15F;
+    canvas.AddRectFilled(from, to, ImGui::GetColorU32(fill));
+    canvas.AddRect(from, to, ImGui::GetColorU32(palette().accent), 0.0F, 0, scale);
+  }
+  canvas.PopClipRect();
+}
+
+void modeButtons(PanelContext& context, SelectionMode mode, const char* prefix, float width) {
+  static constexpr std::array<Segment, 2> modes{{{"rectangle", "Rectangle (B)"}, {"border", "Border (L)"}}};
+  constexpr std::size_t none = modes.size();
+  const std::size_t chosen = mode == SelectionMode::Off ? none : static_cast<std::size_t>(mode) - 1;
+  ImGui::SetNextItemWidth(width);
+  const std::size_t next = segments(context, prefix, modes, chosen);
+  if (next != chosen) {
+    request(context, next == 0 ? UiAction::SelectRectangle : UiAction::SelectBorder);
+  }
+}
+
+}  // namespace
+
+void selectRow(PanelContext& context) {
+  beginRow(context, "Select");
+  modeButtons(context, context.stats.selection.mode, "select", ImGui::CalcItemWidth());
+}
+
+void selectionBox(PanelContext& context, const UiRect& view) {
+  const SelectionView& selection = context.stats.selection;
+  if (selection.mode == SelectionMode::Off && selection.points.empty()) {
+    return;
+  }
+  drawSelection(selection, view, context.scale);
+  const float margin = 12.0F * context.scale;
+  beginCorner(context, "overlay.selection", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
+              {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
+  const float line = ImGui::GetFontSize();
+  ImGui::TextUnformatted(fmt::format("{} selected, {} of them pinned",
+                                     text::formatCount(static_cast<long long>(selection.points.size())),
+                                     selection.pinned)
+                             .c_str());
+  if (selection.mode != SelectionMode::Off) {
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 17.0F * line);
+    mutedText(selection.mode == SelectionMode::Rectangle ? rectangleHelp : borderHelp);
+    ImGui::PopTextWrapPos();
+  }
+  modeButtons(context, selection.mode, "selection", 17.0F * line);
+  const float width = (17.0F * line - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  if (iconButton(context, "pin_selected", Icon::None, "Pin (P)", width, true)) {
+    request(context, UiAction::PinSelected);
+  }
+  explainItem(context, "pin_selected", "Pins the selected vertices where they are.");
+  ImGui::SameLine();
+  if (iconButton(context, "release_selected", Icon::None, "Release", width)) {
+    request(context, UiAction::ReleaseSelected);
+  }
+  explainItem(context, "release_selected", "Releases the selected vertices. P does it when all of them are pinned.");
+  ImGui::SameLine();
+  if (iconButton(context, "end_selection", Icon::None, "Done (Esc)", width)) {
+    request(context, UiAction::EndSelection);
+  }
+  endCorner();
+}
+
+}  // namespace drape::ui
