@@ -5,12 +5,21 @@
 
 namespace drape::report {
 
+Curve& curveLabelled(const std::string& label, Plot& plot) {
+  const auto found = std::ranges::find(plot.curves, label, &Curve::label);
+  return found != plot.curves.end() ? *found : plot.curves.emplace_back(Curve{.label = label, .points = {}});
+}
+
 bool holdsWords(const TextTable& table, std::size_t column) {
-  const auto words = std::count_if(table.rows.begin(), table.rows.end(), [&](const std::vector<std::string>& row) {
-    return column < row.size() && !row[column].empty() &&
-           std::isalpha(static_cast<unsigned char>(row[column].front())) != 0;
-  });
-  return column == 0 || 2 * words > static_cast<std::ptrdiff_t>(table.rows.size());
+  std::ptrdiff_t words = 0;
+  std::ptrdiff_t fields = 0;
+  for (const std::vector<std::string>& row : table.rows) {
+    if (column < row.size() && !row[column].empty()) {
+      ++fields;
+      words += std::isalpha(static_cast<unsigned char>(row[column].front())) != 0 ? 1 : 0;
+    }
+  }
+  return column == 0 || 2 * words > fields;
 }
 
 bool isBad(const TextTable& table, std::size_t row) {

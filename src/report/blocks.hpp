@@ -58,7 +58,7 @@ struct PlotPoint {
 };
 
 enum class CurveStyle {
-  Line,   ///< with markers, in its own colour
+  Line,   ///< with markers, in its own colour or grey
   Front,  ///< broad and pale below the others, without markers
   Level   ///< a dashed line across the plot at the height of its first valid point
 };
@@ -67,7 +67,13 @@ struct Curve {
   std::string label;
   std::vector<PlotPoint> points;
   CurveStyle style = CurveStyle::Line;
+  /// Where a plot has more lines than `maxHighlighted`, those with the largest importance stand out; of equal ones the
+  /// first. The others are grey.
+  double importance = 0.0;
 };
+
+/// The number of lines of a plot that stand out.
+inline constexpr int maxHighlighted = 6;
 
 struct Plot {
   std::string name;  ///< of its file: letters, digits, '-' and '_'
@@ -76,6 +82,9 @@ struct Plot {
   PlotAxis y;
   std::vector<Curve> curves;
 };
+
+/// The curve of a plot with that label. Appends one without points if there is none.
+[[nodiscard]] Curve& curveLabelled(const std::string& label, Plot& plot);
 
 /// A state of a cell of a map.
 struct MapState {

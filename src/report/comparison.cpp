@@ -51,8 +51,8 @@ class Comparer {
     result_["commit"] = older["machine"].value("commit", "");
     result_["date"] = older["machine"].value("date", "");
     result_["times_compared"] = older["machine"].value("cpu", "") == newer["machine"].value("cpu", "");
-    result_["judged"] = 0;
-    result_["unjudged"] = 0;
+    result_["compared"] = 0;
+    result_["not_compared"] = 0;
     result_["moved"] = Json::array();
   }
 
@@ -87,7 +87,7 @@ class Comparer {
     }
     for (const char* key : words) {
       if (before.contains(key) && after.contains(key)) {
-        count("judged");
+        count("compared");
         if (before[key] != after[key]) {
           move(section, place, key, before[key], after[key], "other");
         }
@@ -98,12 +98,12 @@ class Comparer {
   void compareTimes(const std::string& section, const Place& place, const char* key, const Json& before,
                     const Json& after) {
     const Json was = before.value("samples", Json::array());
-    const Json now = after["samples"];
+    const Json& now = after["samples"];
     if (was.size() < 2 || now.size() < 2) {
-      count("unjudged");
+      count("not_compared");
       return;
     }
-    count("judged");
+    count("compared");
     const auto [minBefore, maxBefore] = rangeOf(was);
     const auto [minNow, maxNow] = rangeOf(now);
     const double change = numberIn(after, key) / numberIn(before, key) - 1.0;
@@ -115,7 +115,7 @@ class Comparer {
 
   void compareFigures(const std::string& section, const Place& place, const char* key, const Json& before,
                       const Json& after) {
-    count("judged");
+    count("compared");
     if (!before.is_number() || !after.is_number()) {
       if (before.is_number() != after.is_number()) {
         move(section, place, key, before, after, "other");
@@ -165,12 +165,12 @@ std::string summaryText(const Json& comparison) {
     verdicts[row.value("verdict", "")] += 1;
   }
   std::string text = "Compared with the report of " + comparison.value("date", "") + ", commit " +
-                     comparison.value("commit", "") + ": of " + std::to_string(comparison.value("judged", 0)) +
+                     comparison.value("commit", "") + ": of " + std::to_string(comparison.value("compared", 0)) +
                      " figures " + std::to_string(comparison["moved"].size()) + " changed beyond noise";
   for (const auto& [verdict, count] : verdicts) {
     text += ", " + std::to_string(count) + " " + verdict;
   }
-  text += ". " + std::to_string(comparison.value("unjudged", 0)) + " times have no repeats and were not compared.";
+  text += ". " + std::to_string(comparison.value("not_compared", 0)) + " times have no repeats and were not compared.";
   return comparison.value("times_compared", true)
              ? text
              : text + " It was made on another processor, so times were not compared.";

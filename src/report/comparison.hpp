@@ -12,7 +12,7 @@ namespace drape::report {
 ///
 /// - `commit`, `date`: of the older one
 /// - `times_compared`: false when the older one was made on another processor
-/// - `judged`: number of values that are in both and comparable; `unjudged`: times without repeats in one report
+/// - `compared`: number of values that are in both and comparable; `not_compared`: times without repeats in one report
 /// - `moved`: section, cell, row (its index in the cell), figure, before, after, verdict
 ///
 /// Both reports have passed requireComparable. A time has changed when the samples of the two reports do not overlap

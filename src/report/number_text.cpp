@@ -18,6 +18,10 @@ double numberIn(const nlohmann::ordered_json& row, const char* key) {
   return found != row.end() && found->is_number() ? found->get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::string frameCost(const nlohmann::ordered_json& row) {
+  return text::figure(msPerFrame(numberIn(row, "us_per_simulated_second")));
+}
+
 std::string gridText(int resolution) {
   return std::to_string(resolution) + "x" + std::to_string(resolution);
 }

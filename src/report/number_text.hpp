@@ -16,6 +16,18 @@ namespace drape::report {
 /// The number of that name in a row; not a number when it is missing.
 [[nodiscard]] double numberIn(const nlohmann::ordered_json& row, const char* key);
 
+/// The length of a frame of the screen [s]. The pages show costs as milliseconds per frame.
+inline constexpr double frameSeconds = 1.0 / 60.0;
+
+/// Converts a cost in us per simulated second to ms per frame.
+[[nodiscard]] inline double msPerFrame(double usPerSimulatedSecond) {
+  constexpr double milliseconds = 1e-3;
+  return milliseconds * frameSeconds * usPerSimulatedSecond;
+}
+
+/// The `us_per_simulated_second` of a row in ms per frame; "-" when it is missing.
+[[nodiscard]] std::string frameCost(const nlohmann::ordered_json& row);
+
 /// "17x17".
 [[nodiscard]] std::string gridText(int resolution);
 

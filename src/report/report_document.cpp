@@ -9,7 +9,13 @@ namespace {
 constexpr int formatVersion = 2;
 
 nlohmann::ordered_json optionsJson(const ReportOptions& options) {
-  return {{"quick", options.quick}, {"scene", options.scene}, {"threads", options.threads}};
+  nlohmann::ordered_json json{{"quick", options.quick}, {"scene", options.scene}, {"threads", options.threads}};
+  if (options.own) {
+    json["set"] = options.own->settings;
+    json["budget_ms"] = options.own->budget;
+    json["seconds"] = options.own->seconds;
+  }
+  return json;
 }
 
 }  // namespace

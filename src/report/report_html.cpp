@@ -1,7 +1,12 @@
 #include "report/comparison.hpp"
 #include "report/report_document.hpp"
 #include "report/svg.hpp"
+#include "report/svg_ink.hpp"
 #include "report/xml_writer.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace drape::report {
 namespace {
@@ -10,24 +15,30 @@ constexpr std::string_view pageStyle = R"(
 :root { color-scheme: light dark; --ink: #222; --paper: #fff; --faint: #ddd; --shade: #f4f5f7; --off: #b3001b; }
 @media screen and (prefers-color-scheme: dark) {
   :root { --ink: #ddd; --paper: #16181c; --faint: #444; --shade: #202329; --off: #ff8a80; } }
-body { color: var(--ink); background: var(--paper); font: 15px/1.5 sans-serif; max-width: 62rem; margin: 2rem auto;
+body { color: var(--ink); background: var(--paper); font: 15px/1.5 sans-serif; max-width: 84rem; margin: 1rem auto;
   padding: 0 1rem; }
+h1 { margin: 0; font-size: 1.5rem; }
+p { max-width: 62rem; }
+p.head { margin: 0; max-width: none; font-size: 12px; }
+section.answer h2, section.answer p { margin: 0.4rem 0; }
+section.answer table { margin: 0 0 0.6rem; font-size: 12px; line-height: 1.3; }
+section.answer p { max-width: none; font-size: 12px; }
 table { border-collapse: collapse; margin: 0.5rem 0 1.5rem; font-size: 13px; }
 caption { text-align: left; font-weight: bold; padding-bottom: 0.3rem; }
 th, td { border-bottom: 1px solid var(--faint); padding: 0.15rem 0.6rem; text-align: right; }
-th.words, td.words, table.head td { text-align: left; }
-table.head td { overflow-wrap: anywhere; }
+th.words, td.words { text-align: left; }
+td { white-space: nowrap; }
+td.words { overflow-wrap: anywhere; white-space: pre-line; }
 th { background: var(--shade); }
 tr.bad td { color: var(--off); font-weight: bold; }
 summary { cursor: pointer; }
 figure { margin: 1rem 0; }
-div.wide { overflow-x: auto; }
+svg.drape { max-width: 100%; height: auto; }
 @media print {
   body { max-width: none; margin: 0; font-size: 11px; }
-  h2:not(:first-of-type) { break-before: page; }
+  section.details { break-before: page; }
   figure, tr { break-inside: avoid; }
-  div.wide { overflow: visible; }
-  table { font-size: 8px; }
+  table, section.answer table { font-size: 8px; }
   th, td { padding: 0.1rem 0.25rem; }
   svg.drape { max-height: 11cm; }
 }
@@ -44,7 +55,6 @@ class HtmlWriter {
       html_.open("details");
       html_.text("summary", table.title);
     }
-    html_.open("div", {{"class", "wide"}});
     html_.open("table");
     html_.text("caption", table.title);
     std::vector<bool> words;
@@ -55,7 +65,6 @@ class HtmlWriter {
     for (std::size_t i = 0; i < table.rows.size(); ++i) {
       row("td", table.rows[i], words, isBad(table, i));
     }
-    html_.close();
     html_.close();
     if (table.folded) {
       html_.close();
@@ -92,16 +101,38 @@ class HtmlWriter {
   XmlWriter& html_;
 };
 
+/// The machine and the build in one line.
 void writeHead(XmlWriter& html, const Report& report) {
   html.text("h1", "Speed against error");
-  html.open("table", {{"class", "head"}});
+  std::string line;
   for (const auto& [name, value] : reportHead(report)) {
-    html.open("tr");
-    html.text("td", name);
-    html.text("td", value);
-    html.close();
+    line += (line.empty() ? "" : " · ") + name + ": " + value;
   }
-  html.close();
+  html.text("p", line, {{"class", "head"}});
+}
+
+void writeBlocks(XmlWriter& html, std::string_view title, const std::vector<Block>& blocks) {
+  HtmlWriter writer(html);
+  html.text("h2", title);
+  for (const Block& block : blocks) {
+    std::visit(writer, block);
+  }
+}
+
+/// The first section answers the report's question, and fits on a screen together with the head.
+void writeSections(XmlWriter& html, const Report& report) {
+  for (const Section& section : sectionTable()) {
+    const ReportRows rows = rowsOf(report, section);
+    const bool isAnswer = section.name == sectionTable().front().name;
+    if (!rows.empty()) {
+      html.open("section", {{"class", isAnswer ? "answer" : "details"}});
+      writeBlocks(html, section.title, section.show(report.options, rows));
+      html.close();
+    }
+    if (isAnswer && !report.comparison.is_null()) {
+      writeBlocks(html, comparisonTitle, showComparison(report.comparison));
+    }
+  }
 }
 
 }  // namespace
@@ -116,26 +147,12 @@ std::string reportHtml(const Report& report) {
   html.text("title", "Drape: speed against error");
   html.open("style");
   html.raw(pageStyle);
-  html.raw(svgStyle());
+  html.raw("@media screen and (prefers-color-scheme: dark) {\n" + darkStyle() + "}\n");
   html.close();
   html.close();
   html.open("body");
   writeHead(html, report);
-  HtmlWriter writer(html);
-  if (!report.comparison.is_null()) {
-    html.text("h2", comparisonTitle);
-    for (const Block& block : showComparison(report.comparison)) {
-      std::visit(writer, block);
-    }
-  }
-  for (const Section& section : sectionTable()) {
-    if (const ReportRows rows = rowsOf(report, section); !rows.empty()) {
-      html.text("h2", section.title);
-      for (const Block& block : section.show(report.options, rows)) {
-        std::visit(writer, block);
-      }
-    }
-  }
+  writeSections(html, report);
   return html.take();
 }
 

@@ -21,7 +21,7 @@ std::string lineOf(const std::vector<std::string>& fields, bool bold = false) {
   const std::string mark = bold ? "**" : "";
   std::string line = "|";
   for (const std::string& field : fields) {
-    line += " " + (field.empty() ? "" : mark + escaped(field) + mark) + " |";
+    line.append(" ").append(field.empty() ? "" : mark + escaped(field) + mark).append(" |");
   }
   return line + "\n";
 }
@@ -61,27 +61,36 @@ class MarkdownWriter {
   }
 };
 
+/// The machine and the build.
+std::string headTable(const Report& report) {
+  std::string text = "| | |\n|---|---|\n";
+  for (const auto& [name, value] : reportHead(report)) {
+    text += lineOf({name, value});
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 MarkdownReport reportMarkdown(const Report& report) {
   MarkdownWriter writer;
   std::string& text = writer.report.text;
-  text = "# Speed against error\n\n| | |\n|---|---|\n";
-  for (const auto& [name, value] : reportHead(report)) {
-    text += lineOf({name, value});
-  }
-  text += "\n";
-  if (!report.comparison.is_null()) {
-    text += "## " + std::string(comparisonTitle) + "\n\n";
-    for (const Block& block : showComparison(report.comparison)) {
+  text = "# Speed against error\n\n";
+  const auto write = [&](std::string_view title, const std::vector<Block>& blocks) {
+    text += "## " + escaped(std::string(title)) + "\n\n";
+    for (const Block& block : blocks) {
       std::visit(writer, block);
     }
-  }
+  };
   for (const Section& section : sectionTable()) {
     if (const ReportRows rows = rowsOf(report, section); !rows.empty()) {
-      text += "## " + escaped(std::string(section.title)) + "\n\n";
-      for (const Block& block : section.show(report.options, rows)) {
-        std::visit(writer, block);
+      write(section.title, section.show(report.options, rows));
+    }
+    // The answer comes first.
+    if (section.name == sectionTable().front().name) {
+      text += headTable(report);
+      if (!report.comparison.is_null()) {
+        write(comparisonTitle, showComparison(report.comparison));
       }
     }
   }

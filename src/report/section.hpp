@@ -1,10 +1,13 @@
 #pragma once
 
 #include "report/blocks.hpp"
+#include "scene/scene.hpp"
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,12 +15,21 @@
 
 namespace drape::report {
 
+/// One's own cloth, for which the report finds a method.
+struct OwnCloth {
+  std::shared_ptr<const scene::Scene> scene;
+  std::vector<std::string> settings;  ///< "key=value", which the scene already has
+  double budget = 0.0;                ///< computing time for each frame of 1/60 s [ms]
+  double seconds = 0.5;               ///< of motion, at the end of which errors count [s]
+};
+
 /// The options of a report.
 struct ReportOptions {
-  bool quick = false;             ///< fewer and smaller cells
-  std::string scene;              ///< the scene for comparing methods; empty: the report's own scenes
-  int threads = 1;                ///< threads of a step, in sections that do not need one thread
-  std::vector<std::string> only;  ///< sections to measure; empty: all
+  bool quick = false;                ///< fewer and smaller cells
+  std::string scene;                 ///< the scene for comparing methods; empty: the report's own scenes
+  int threads = 1;                   ///< threads of a step, in sections that do not need one thread
+  std::vector<std::string> only;     ///< sections to measure; empty: all
+  std::optional<OwnCloth> own = {};  ///< the cloth of `scene`, if the report is about that alone
 };
 
 /// A row of a section's array in report.json.
@@ -61,6 +73,9 @@ struct Section {
   /// Derives its rows from those of other sections; null when it measures them.
   ReportRows (*derive)(const SectionRows&) = nullptr;
 };
+
+/// The name of the section about a cloth with its contact, which alone is measured for one's own cloth.
+inline constexpr std::string_view budgetSection = "budget";
 
 /// All sections, in the order of the report.
 [[nodiscard]] std::span<const Section> sectionTable();

@@ -1,4 +1,5 @@
 #include "report/svg.hpp"
+#include "report/svg_picture.hpp"
 #include "report/xml_writer.hpp"
 
 #include <fmt/core.h>
@@ -40,18 +41,12 @@ std::string svgOf(const Drawing& drawing) {
   const std::string height =
       fmt::format("{:.0f}", panelTop + (panelHeight + captionHeight) * static_cast<double>(lines));
   XmlWriter svg;
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"class", "drape"},
-                   {"role", "img"},
-                   {"width", width},
-                   {"height", height},
-                   {"viewBox", "0 0 " + width + " " + height}});
-  svg.text("title", drawing.title);
-  svg.text("text", drawing.title, {{"class", "title"}, {"x", "10"}, {"y", "20"}});
+  openPicture(svg, drawing.title, width, height, "10");
   const double scale = 0.48 * panelWidth / drawing.halfWidth;
   for (std::size_t i = 0; i < drawing.panels.size(); ++i) {
     const double left = panelWidth * static_cast<double>(i % panelsOfLine);
-    const double top = panelTop + (panelHeight + captionHeight) * static_cast<double>(i / panelsOfLine);
+    const std::size_t line = i / panelsOfLine;
+    const double top = panelTop + (panelHeight + captionHeight) * static_cast<double>(line);
     for (const Drawing::Face& face : drawing.panels[i].faces) {
       drawFace(svg, face, scale, left + 0.5 * panelWidth, top + 0.45 * panelHeight);
     }

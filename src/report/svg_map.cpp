@@ -1,4 +1,6 @@
 #include "report/svg.hpp"
+#include "report/svg_ink.hpp"
+#include "report/svg_picture.hpp"
 #include "report/xml_writer.hpp"
 
 #include <algorithm>
@@ -15,20 +17,20 @@ constexpr double left = 170.0;
 constexpr double top = 66.0;
 constexpr double legendEntry = 160.0;
 
-const char* classOf(Tone tone) {
+Ink inkOf(Tone tone) {
   switch (tone) {
     case Tone::Good:
-      return "good";
+      return Ink::Good;
     case Tone::Doubtful:
-      return "doubtful";
+      return Ink::Doubtful;
     case Tone::Bad:
-      return "bad";
+      return Ink::Bad;
     case Tone::Dull:
-      return "dull";
+      return Ink::Dull;
     case Tone::None:
       break;
   }
-  return "none";
+  return Ink::None;
 }
 
 std::string pixel(double value) {
@@ -47,7 +49,9 @@ double cellWidthOf(const StateMap& map) {
 void drawCell(XmlWriter& svg, const MapState& state, double cellWidth, double x, double y) {
   svg.open("g");
   svg.text("title", state.name);
-  svg.empty("rect", {{"class", classOf(state.tone)},
+  const Ink ink = inkOf(state.tone);
+  svg.empty("rect", {{"class", fillClass(ink)},
+                     {"fill", lightColour(ink)},
                      {"x", pixel(x)},
                      {"y", pixel(y)},
                      {"width", pixel(cellWidth - 2.0)},
@@ -87,14 +91,7 @@ std::string svgOf(const StateMap& map) {
   const double bottom = top + cellHeight * static_cast<double>(map.rows.size());
   const double height = bottom + 12.0 + cellHeight;
   XmlWriter svg;
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"class", "drape"},
-                   {"role", "img"},
-                   {"width", pixel(width)},
-                   {"height", pixel(height)},
-                   {"viewBox", "0 0 " + pixel(width) + " " + pixel(height)}});
-  svg.text("title", map.title);
-  svg.text("text", map.title, {{"class", "title"}, {"x", "10"}, {"y", "20"}});
+  openPicture(svg, map.title, pixel(width), pixel(height), "10");
   drawText(svg, map.columnsTitle, "start", left, 40.0);
   for (std::size_t i = 0; i < map.columns.size(); ++i) {
     drawText(svg, map.columns[i], "middle", left + cellWidth * (static_cast<double>(i) + 0.5) - 1.0, 58.0);

@@ -1,5 +1,8 @@
 #include "report/axis.hpp"
+#include "report/curve_inks.hpp"
 #include "report/svg.hpp"
+#include "report/svg_ink.hpp"
+#include "report/svg_picture.hpp"
 #include "report/xml_writer.hpp"
 
 #include <fmt/core.h>
@@ -19,8 +22,6 @@ constexpr double legendGap = 16.0;
 constexpr double legendWidth = 250.0;
 constexpr double lineHeight = 17.0;
 constexpr double below = 54.0;
-constexpr int colours = 8;
-constexpr int dashes = 4;
 
 /// Tenths of a pixel are precise enough and keep the files short.
 std::string pixel(double value) {
@@ -54,28 +55,36 @@ std::vector<double> valuesOf(const Plot& plot, bool horizontal) {
   return values;
 }
 
+/// A stroke of the picture.
+struct Stroke {
+  Ink ink = Ink::Text;
+  const char* width = "1";
+  const char* opacity = "1";
+  const char* dash = "none";
+};
+
+constexpr Stroke gridStroke{Ink::Faint};
+constexpr Stroke tickStroke{Ink::Text, "0.7"};
+constexpr Stroke levelStroke{Ink::Text, "1.2", "1", "8 5"};
+constexpr Stroke frontStroke{Ink::Text, "9", "0.18"};
+
 class PlotDrawing {
  public:
   explicit PlotDrawing(const Plot& plot)
-      : plot_(plot), x_(plot.x.scale, valuesOf(plot, true)), y_(plot.y.scale, valuesOf(plot, false)) {}
+      : plot_(plot),
+        inks_(curveInks(plot)),
+        x_(plot.x.scale, valuesOf(plot, true)),
+        y_(plot.y.scale, valuesOf(plot, false)) {}
 
   std::string draw() {
-    const double legendHeight = lineHeight * static_cast<double>(plot_.curves.size()) + top + 8.0;
-    const double whole = std::max(top + height + below, legendHeight);
-    svg_.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                      {"class", "drape"},
-                      {"role", "img"},
-                      {"width", pixel(left + width + legendGap + legendWidth)},
-                      {"height", pixel(whole)},
-                      {"viewBox", "0 0 " + pixel(left + width + legendGap + legendWidth) + " " + pixel(whole)}});
-    svg_.text("title", plot_.title);
-    svg_.text("text", plot_.title, {{"class", "title"}, {"x", pixel(left)}, {"y", "20"}});
+    openPicture(svg_, plot_.title, pixel(left + width + legendGap + legendWidth), pixel(top + height + below),
+                pixel(left));
     drawAxes();
-    // Fronts are drawn below the others, independent of their order.
-    for (const bool front : {true, false}) {
+    // Fronts are drawn below the others, and grey curves below coloured ones.
+    for (const int layer : {0, 1, 2}) {
       for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
-        if ((plot_.curves[i].style == CurveStyle::Front) == front) {
-          drawCurve(plot_.curves[i], i);
+        if (layerOf(i) == layer) {
+          drawCurve(i);
         }
       }
     }
@@ -86,11 +95,36 @@ class PlotDrawing {
  private:
   [[nodiscard]] double xOf(double value) const { return left + width * x_.share(value); }
   [[nodiscard]] double yOf(double value) const { return top + height * (1.0 - y_.share(value)); }
+  [[nodiscard]] bool isGrey(std::size_t index) const { return inks_[index].ink == Ink::Grey; }
+  [[nodiscard]] int layerOf(std::size_t index) const {
+    return plot_.curves[index].style == CurveStyle::Front ? 0 : isGrey(index) ? 1 : 2;
+  }
 
-  void line(const char* style, Place from, Place to) {
-    svg_.empty(
-        "line",
-        {{"class", style}, {"x1", pixel(from.x)}, {"y1", pixel(from.y)}, {"x2", pixel(to.x)}, {"y2", pixel(to.y)}});
+  void line(const Stroke& stroke, Place from, Place to) {
+    svg_.empty("line", {{"class", lineClass(stroke.ink)},
+                        {"stroke", lightColour(stroke.ink)},
+                        {"stroke-width", stroke.width},
+                        {"stroke-dasharray", stroke.dash},
+                        {"x1", pixel(from.x)},
+                        {"y1", pixel(from.y)},
+                        {"x2", pixel(to.x)},
+                        {"y2", pixel(to.y)}});
+  }
+
+  void path(const Stroke& stroke, const std::string& places) {
+    svg_.empty("path", {{"class", lineClass(stroke.ink)},
+                        {"fill", "none"},
+                        {"stroke", lightColour(stroke.ink)},
+                        {"stroke-width", stroke.width},
+                        {"stroke-opacity", stroke.opacity},
+                        {"stroke-dasharray", stroke.dash},
+                        {"stroke-linejoin", "round"},
+                        {"d", places}});
+  }
+
+  void area(Ink ink, const char* opacity, const std::string& outline) {
+    svg_.empty("path",
+               {{"class", fillClass(ink)}, {"fill", lightColour(ink)}, {"fill-opacity", opacity}, {"d", outline}});
   }
 
   void drawAxes() {
@@ -98,19 +132,17 @@ class PlotDrawing {
     const double bottom = top + height;
     for (const Tick& tick : x_.ticks()) {
       const double x = xOf(tick.value);
-      line(tick.label.empty() ? "small" : "grid", {x, bottom}, {x, tick.label.empty() ? bottom - small : top});
+      const bool minor = tick.label.empty();
+      line(minor ? tickStroke : gridStroke, {x, bottom}, {x, minor ? bottom - small : top});
       label(tick.label, {x, bottom + 16.0}, "middle");
     }
     for (const Tick& tick : y_.ticks()) {
       const double y = yOf(tick.value);
-      line(tick.label.empty() ? "small" : "grid", {left, y}, {tick.label.empty() ? left + small : left + width, y});
+      const bool minor = tick.label.empty();
+      line(minor ? tickStroke : gridStroke, {left, y}, {minor ? left + small : left + width, y});
       label(tick.label, {left - 7.0, y + 4.0}, "end");
     }
-    svg_.empty("rect", {{"class", "frame"},
-                        {"x", pixel(left)},
-                        {"y", pixel(top)},
-                        {"width", pixel(width)},
-                        {"height", pixel(height)}});
+    path({}, pathText({{left, top}, {left + width, top}, {left + width, bottom}, {left, bottom}}) + "Z");
     label(plot_.x.label, {left + 0.5 * width, bottom + 40.0}, "middle");
     const std::string middle = pixel(top + 0.5 * height);
     svg_.text("text", plot_.y.label,
@@ -123,25 +155,30 @@ class PlotDrawing {
     }
   }
 
-  static std::string styleOf(const Curve& curve, std::size_t index) {
-    if (curve.style != CurveStyle::Line) {
-      return curve.style == CurveStyle::Front ? "front" : "level";
+  [[nodiscard]] Stroke strokeOf(std::size_t index) const {
+    if (plot_.curves[index].style != CurveStyle::Line) {
+      return plot_.curves[index].style == CurveStyle::Front ? frontStroke : levelStroke;
     }
-    const std::string dash = std::to_string(index / colours % dashes);
-    return "curve line" + std::to_string(index % colours) + " dash" + dash;
+    const CurveInk& ink = inks_[index];
+    return {ink.ink,
+            isGrey(index)          ? "1"
+            : ink.ink == Ink::Auto ? "2.6"
+                                   : "1.6",
+            "1", ink.variant == 0 ? "none" : "7 3"};
   }
 
   void drawLevel(const Curve& curve) {
     for (const PlotPoint& point : curve.points) {
       if (y_.takes(point.y)) {
         const double y = yOf(point.y);
-        line("level", {left, y}, {left + width, y});
+        line(levelStroke, {left, y}, {left + width, y});
         return;
       }
     }
   }
 
-  void drawCurve(const Curve& curve, std::size_t index) {
+  void drawCurve(std::size_t index) {
+    const Curve& curve = plot_.curves[index];
     if (curve.style == CurveStyle::Level) {
       drawLevel(curve);
       return;
@@ -152,11 +189,11 @@ class PlotDrawing {
       if (x_.takes(point.x) && y_.takes(point.y)) {
         places.push_back({xOf(point.x), yOf(point.y)});
       } else if (!(point.y > 0.0 && std::isinf(point.y))) {
-        drawPath(curve, index, places);
+        drawPath(index, places);
         places.clear();
       }
     }
-    drawPath(curve, index, places);
+    drawPath(index, places);
     for (const PlotPoint& point : curve.points) {
       if (curve.style == CurveStyle::Line && x_.takes(point.x)) {
         drawMark(point, index);
@@ -164,10 +201,17 @@ class PlotDrawing {
     }
   }
 
-  void drawPath(const Curve& curve, std::size_t index, const std::vector<Place>& places) {
-    if (places.size() > 1) {
-      svg_.empty("path", {{"class", styleOf(curve, index)}, {"d", pathText(places)}});
+  /// Grey curves show their names on hovering, since the legend does not have them.
+  void drawPath(std::size_t index, const std::vector<Place>& places) {
+    if (places.size() < 2) {
+      return;
     }
+    svg_.open("g");
+    if (isGrey(index)) {
+      svg_.text("title", plot_.curves[index].label);
+    }
+    path(strokeOf(index), pathText(places));
+    svg_.close();
   }
 
   void drawBand(const Curve& curve, std::size_t index) {
@@ -180,8 +224,8 @@ class PlotDrawing {
       }
     }
     outline.insert(outline.end(), lower.rbegin(), lower.rend());
-    if (lower.size() > 1) {
-      svg_.empty("path", {{"class", "band fill" + std::to_string(index % colours)}, {"d", pathText(outline) + "Z"}});
+    if (lower.size() > 1 && !isGrey(index)) {
+      area(inks_[index].ink, "0.2", pathText(outline) + "Z");
     }
   }
 
@@ -192,67 +236,78 @@ class PlotDrawing {
     }
     const Place place{xOf(point.x), beyond ? top + 6.0 : yOf(point.y)};
     svg_.open("g");
-    if (!point.note.empty()) {
-      svg_.text("title", point.note);
+    const std::string& note = point.note.empty() && isGrey(index) ? plot_.curves[index].label : point.note;
+    if (!note.empty()) {
+      svg_.text("title", note);
     }
     mark(point.mark, place, index);
     svg_.close();
   }
 
   void mark(Mark kind, Place place, std::size_t index) {
-    constexpr double radius = 4.0;
-    const std::string number = std::to_string(index % colours);
+    const double radius = isGrey(index) ? 2.4 : 4.0;
+    const Ink ink = inks_[index].ink;
     if (kind == Mark::Cross) {
-      const std::string path = pathText({{place.x - radius, place.y - radius}, {place.x + radius, place.y + radius}}) +
-                               pathText({{place.x - radius, place.y + radius}, {place.x + radius, place.y - radius}});
-      svg_.empty("path", {{"class", "cross line" + number}, {"d", path}});
+      path({ink, isGrey(index) ? "1" : "1.8"},
+           pathText({{place.x - radius, place.y - radius}, {place.x + radius, place.y + radius}}) +
+               pathText({{place.x - radius, place.y + radius}, {place.x + radius, place.y - radius}}));
       return;
     }
-    const std::string style = (kind == Mark::Filled ? "fill" : "hollow line") + number;
-    const double size = kind == Mark::Filled ? radius - 0.6 : radius;
-    // When colours repeat, marks change their shape and lines their dashes.
-    switch (index / colours % dashes) {
-      case 0:
-        svg_.empty("circle", {{"class", style}, {"cx", pixel(place.x)}, {"cy", pixel(place.y)}, {"r", pixel(size)}});
-        break;
-      case 1:
-        polygon(style, {{place.x - size, place.y - size},
-                        {place.x + size, place.y - size},
-                        {place.x + size, place.y + size},
-                        {place.x - size, place.y + size}});
-        break;
-      case 2:
-        polygon(style, {{place.x, place.y - 1.3 * size},
-                        {place.x + 1.3 * size, place.y + size},
-                        {place.x - 1.3 * size, place.y + size}});
-        break;
-      default:
-        polygon(style, {{place.x, place.y - 1.4 * size},
-                        {place.x + 1.4 * size, place.y},
-                        {place.x, place.y + 1.4 * size},
-                        {place.x - 1.4 * size, place.y}});
+    const bool hollow = kind == Mark::Hollow;
+    const std::string classes = hollow ? fillClass(Ink::Paper) + " " + lineClass(ink) : fillClass(ink);
+    const std::string fill = lightColour(hollow ? Ink::Paper : ink);
+    const std::string stroke = hollow ? lightColour(ink) : "none";
+    const double size = hollow ? radius : radius - 0.6;
+    if (inks_[index].variant == 0) {
+      svg_.empty("circle", {{"class", classes},
+                            {"fill", fill},
+                            {"stroke", stroke},
+                            {"stroke-width", "1.6"},
+                            {"cx", pixel(place.x)},
+                            {"cy", pixel(place.y)},
+                            {"r", pixel(size)}});
+    } else {
+      // A second curve of the same colour has squares.
+      svg_.empty("rect", {{"class", classes},
+                          {"fill", fill},
+                          {"stroke", stroke},
+                          {"stroke-width", "1.6"},
+                          {"x", pixel(place.x - size)},
+                          {"y", pixel(place.y - size)},
+                          {"width", pixel(2.0 * size)},
+                          {"height", pixel(2.0 * size)}});
     }
   }
 
-  void polygon(const std::string& style, const std::vector<Place>& corners) {
-    svg_.empty("path", {{"class", style}, {"d", pathText(corners) + "Z"}});
-  }
-
+  /// Grey curves share one entry.
   void drawLegend() {
     const double begin = left + width + legendGap;
     double y = top + 8.0;
+    const auto sample = [&](const Stroke& stroke) { path(stroke, pathText({{begin, y}, {begin + 26.0, y}})); };
+    const auto name = [&](const std::string& text) {
+      label(text, {begin + 34.0, y + 4.0}, "start");
+      y += lineHeight;
+    };
+    int greyOnes = 0;
     for (std::size_t i = 0; i < plot_.curves.size(); ++i) {
-      const Curve& curve = plot_.curves[i];
-      svg_.empty("path", {{"class", styleOf(curve, i)}, {"d", pathText({{begin, y}, {begin + 26.0, y}})}});
-      if (curve.style == CurveStyle::Line) {
+      if (isGrey(i)) {
+        ++greyOnes;
+        continue;
+      }
+      sample(strokeOf(i));
+      if (plot_.curves[i].style == CurveStyle::Line) {
         mark(Mark::Filled, {begin + 13.0, y}, i);
       }
-      label(curve.label, {begin + 34.0, y + 4.0}, "start");
-      y += lineHeight;
+      name(plot_.curves[i].label);
+    }
+    if (greyOnes > 0) {
+      sample({Ink::Grey});
+      name(std::to_string(greyOnes) + (greyOnes == 1 ? " other (see its tooltip)" : " others (see their tooltips)"));
     }
   }
 
   const Plot& plot_;
+  std::vector<CurveInk> inks_;
   Axis x_;
   Axis y_;
   XmlWriter svg_;

@@ -29,7 +29,7 @@ TEST(Comparison, findsNothingInTwoReportsThatAreTheSame) {
   const Report report = reportOf(10.0, {9.0, 10.0, 11.0}, 0.1);
   const auto comparison = compared(report, report);
   EXPECT_TRUE(comparison["moved"].empty());
-  EXPECT_EQ(comparison["judged"], 3);
+  EXPECT_EQ(comparison["compared"], 3);
 }
 
 TEST(Comparison, takesTheRoundsSamplesForTheNoiseOfATime) {
@@ -51,7 +51,7 @@ TEST(Comparison, doesNotCallAFewPercentAMove) {
 TEST(Comparison, comparesNoTimeWithoutRepeats) {
   const auto comparison = compared(reportOf(10.0, {10.0}, 0.1), reportOf(99.0, {99.0}, 0.1));
   EXPECT_TRUE(comparison["moved"].empty());
-  EXPECT_EQ(comparison["unjudged"], 1);
+  EXPECT_EQ(comparison["not_compared"], 1);
 }
 
 TEST(Comparison, grantsErrorsNoNoise) {

@@ -93,6 +93,20 @@ TEST(HardCases, reportTheirFailure) {
   EXPECT_GT(result.seconds, 0.0);
 }
 
+TEST(HardCases, ofContactHaveNoIntersectionsWithAnySolver) {
+  for (const char* name : {"contact_sharp", "contact_two_layers"}) {
+    for (const sim::SolverInfo& solver : sim::solverTable()) {
+      const hardcases::CaseResult result =
+          hardcases::runHardCase(hardcases::requireHardCase(name), shortly(std::string(solver.name)));
+      ASSERT_GE(result.figures.size(), 2U) << solver.name;
+      EXPECT_EQ(result.figures[0].name, "pairs with itself");
+      EXPECT_EQ(result.figures[0].value, 0.0) << name << ' ' << solver.name;
+      EXPECT_EQ(result.figures[1].name, "pairs with bodies");
+      EXPECT_EQ(result.figures[1].value, 0.0) << name << ' ' << solver.name;
+    }
+  }
+}
+
 TEST(HardCases, withAFabricAreRefusedBySolversThatTakeSpringsOnly) {
   for (const sim::SolverInfo& solver : sim::solverTable()) {
     if (!solver.takesFabric) {

@@ -1,5 +1,6 @@
 #include "report/svg.hpp"
 
+#include "many_curves.hpp"
 #include "xml_check.hpp"
 
 #include <gtest/gtest.h>
@@ -47,8 +48,8 @@ TEST(SvgPlot, drawsAMarkForEachPointThatHasAPlaceAndNamesEachCurve) {
   const std::string svg = svgOf(twoCurves());
   // Three points, one point, and two in the legend; the hollow mark is a circle too.
   EXPECT_EQ(countOf(svg, "<circle"), 6);
-  EXPECT_EQ(countOf(svg, "class=\"hollow line0\""), 1);
-  EXPECT_EQ(countOf(svg, "class=\"cross line1\""), 1);
+  EXPECT_EQ(countOf(svg, "<circle class=\"fill-paper line-curve1\" fill=\"#ffffff\" stroke=\"#0072b2\""), 1);
+  EXPECT_EQ(countOf(svg, "stroke-width=\"1.8\""), 1);  // the cross
   EXPECT_NE(svg.find("first &amp; &lt;best&gt;"), std::string::npos);
   EXPECT_NE(svg.find(">second<"), std::string::npos);
 }
@@ -63,26 +64,32 @@ TEST(SvgPlot, drawsALineThroughThePointsOfACurve) {
 TEST(SvgPlot, interruptsALineWhereAValueIsMissing) {
   Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
   plot.curves.push_back({"line", {{0.0, 0.0}, {1.0, 1.0}, {2.0, none}, {3.0, 1.0}, {4.0, 0.0}}});
-  EXPECT_EQ(countOf(svgOf(plot), "class=\"curve line0 dash0\""), 3);  // two pieces and the one of the legend
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"line-curve1\""), 3);  // two pieces and the one of the legend
 }
 
 TEST(SvgPlot, drawsABandWhereThereIsOne) {
   Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
   plot.curves.push_back({"line", {{0.0, 0.5, Mark::Filled, "", 0.0, 1.0}, {1.0, 0.5, Mark::Filled, "", 0.2, 0.8}}});
-  EXPECT_EQ(countOf(svgOf(plot), "class=\"band fill0\""), 1);
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"fill-curve1\" fill=\"#0072b2\" fill-opacity=\"0.2\""), 1);
   plot.curves[0].points[0].low = none;
-  EXPECT_EQ(countOf(svgOf(plot), "class=\"band fill0\""), 0);
+  EXPECT_EQ(countOf(svgOf(plot), "class=\"fill-curve1\" fill=\"#0072b2\" fill-opacity=\"0.2\""), 0);
 }
 
-TEST(SvgPlot, givesMarksAnotherShapeWhereColoursComeRoundAgain) {
-  Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
-  for (int i = 0; i < 17; ++i) {
-    plot.curves.push_back({std::to_string(i), {{1.0 * i, 1.0}}});
-  }
-  const std::string svg = svgOf(plot);
-  EXPECT_EQ(countOf(svg, "<circle class=\"fill0\""), 2);  // the point and the one of the legend
-  EXPECT_EQ(countOf(svg, "<path class=\"fill0\""), 4);    // a square and a triangle, each twice
+TEST(SvgPlot, listsGreyLinesTogetherAndNamesThemInTooltips) {
+  const std::string svg = svgOf(testing::manyCurves(20));
   EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
+  EXPECT_NE(svg.find(">16 others (see their tooltips)<"), std::string::npos);
+  EXPECT_NE(svg.find("<title>19</title>"), std::string::npos);
+  EXPECT_EQ(svg.find("y=\"4.0\">19<"), std::string::npos);
+}
+
+/// Viewers differ in what they know of style sheets, and all know attributes.
+TEST(SvgFile, hasItsColoursWithoutAStyleSheet) {
+  const std::string svg = svgFile(svgOf(testing::manyCurves(3)));
+  EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
+  EXPECT_EQ(svg.find("<style"), std::string::npos);
+  EXPECT_EQ(svg.find("var("), std::string::npos);
+  EXPECT_NE(svg.find("stroke=\"#d55e00\""), std::string::npos);
 }
 
 TEST(SvgPlot, canBeEmpty) {
@@ -100,7 +107,7 @@ TEST(SvgMap, hasACellWithItsLetterForEachStateAndALegend) {
   EXPECT_EQ(testing::XmlCheck::faultOf(svg), "");
   EXPECT_EQ(countOf(svg, ">C<"), 2);
   EXPECT_EQ(countOf(svg, ">X<"), 4);
-  EXPECT_EQ(countOf(svg, "class=\"bad\""), 4);
+  EXPECT_EQ(countOf(svg, "class=\"fill-bad\" fill=\"#f6b5a8\""), 4);
 }
 
 }  // namespace

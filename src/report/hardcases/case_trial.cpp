@@ -14,7 +14,8 @@
 namespace drape::report::hardcases {
 
 std::string CaseFigure::text() const {
-  const std::string found = std::isfinite(value) ? text::figure(value) + (unit.empty() ? "" : " " + unit) : "no number";
+  const std::string found =
+      std::isfinite(value) ? text::figure(value) + (unit.empty() ? "" : " " + unit) : "not a number";
   return name + " " + found + (std::isinf(limit) ? "" : " (at most " + text::figure(limit) + ")");
 }
 

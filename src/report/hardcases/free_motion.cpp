@@ -40,7 +40,7 @@ void spinning(CaseTrial& trial) {
   const Vec3 spin(2.0, 6.0, 3.0);   // [1/s]
   const Vec3 drift(0.3, 0.4, 0.0);  // [m/s]
   for (const Vec3& position : cloth.mesh.positions) {
-    cloth.velocities.push_back(spin.cross(position) + drift);
+    cloth.velocities.emplace_back(spin.cross(position) + drift);
   }
   WatchedCloth watched(trial, cloth);
   expectMomentumKept(trial, watched, trial.pick(100, 20), limit);

@@ -18,7 +18,7 @@ std::string faultOf(const ReportRow& row) {
   for (const auto& one : row["figures"]) {
     if (!one.value("passes", true)) {
       const std::string unit = one.value("unit", "");
-      const std::string value = one["value"].is_number() ? text::figure(one["value"].get<double>(), 2) : "no number";
+      const std::string value = one["value"].is_number() ? text::figure(one["value"].get<double>(), 2) : "not a number";
       return one.value("name", "") + " " + value + (unit.empty() ? "" : " " + unit);
     }
   }

@@ -41,7 +41,7 @@ WatchedCloth::WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule 
 WatchedCloth::WatchedCloth(CaseTrial& trial, const std::shared_ptr<const scene::Scene>& scene, EnergyRule rule)
     : trial_(trial), rule_(rule), simulation_(withStableSubsteps(scene)) {
   simulation_.setProgressCallback([&trial] { trial.tick(); });
-  countAnew();
+  startEnergyCount();
 }
 
 void WatchedCloth::step(const std::function<double()>& work) {
@@ -63,13 +63,13 @@ void WatchedCloth::apply(const session::Command& command) {
   if (std::holds_alternative<session::SetSettingCommand>(command) ||
       std::holds_alternative<session::MovePinsCommand>(command)) {
     keepStable();
-    countAnew();
+    startEnergyCount();
   }
 }
 
 void WatchedCloth::countEnergy() {
   rule_ = EnergyRule::Counted;
-  countAnew();
+  startEnergyCount();
 }
 
 void WatchedCloth::keepStable() {
@@ -90,7 +90,7 @@ double WatchedCloth::energy() const {
   return sim::energyOf(model(), simulation_.settings().step, against).total();
 }
 
-void WatchedCloth::countAnew() {
+void WatchedCloth::startEnergyCount() {
   const sim::StepParameters& parameters = simulation_.settings().step;
   const sim::Energy now = sim::energyOf(model(), parameters, state());
   startEnergy_ = energy();
@@ -112,7 +112,7 @@ void WatchedCloth::watch() {
     trial_.expect("energy gained", "%", gained < 0.0 ? 0.0 : gained, gainLimit);
   }
   if (maxDistance > farAway) {
-    throw CaseEnded{"It flew away after " + std::to_string(state().time) + " s."};
+    throw CaseEnded{"Its coordinates exceed the limit after " + std::to_string(state().time) + " s."};
   }
 }
 

@@ -46,7 +46,7 @@ class WatchedCloth {
 
  private:
   [[nodiscard]] double energy() const;
-  void countAnew();
+  void startEnergyCount();
   void watch();
   void keepStable();
 

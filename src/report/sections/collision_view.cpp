@@ -27,15 +27,20 @@ double ratioOf(const ReportRow& row) {
   return contact / (numberIn(row, "us_per_step") - contact);
 }
 
+/// A time of a row in ms.
+std::string milliseconds(const ReportRow& row, const char* key) {
+  return text::figure(1e-3 * numberIn(row, key));
+}
+
 TextTable costs(const ReportRows& rows) {
   TextTable table{"Cost of contact",
-                  {"scene", "grid", "triangles", "mode", "method", "step [us]", "contact [us]", "99 % [us]",
+                  {"scene", "grid", "triangles", "mode", "method", "step [ms]", "contact [ms]", "99 % [ms]",
                    "contact / rest", "bodies [us per 1,000 triangles]"},
                   {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("scene", ""), sizeText(resolutionIn(row)), figure(row, "triangles", 7),
-                          row.value("mode", ""), row.value("method", ""), figure(row, "us_per_step"),
-                          figure(row, "contact_us_per_step"), figure(row, "contact_us_p99"),
+                          row.value("mode", ""), row.value("method", ""), milliseconds(row, "us_per_step"),
+                          milliseconds(row, "contact_us_per_step"), milliseconds(row, "contact_us_p99"),
                           text::figure(ratioOf(row), 2),
                           hasBodies(row) ? figure(row, "bodies_us_per_1000_triangles") : "-"});
   }

@@ -70,7 +70,7 @@ void copy(ReportRow& row, const char* to, const ReportRow* from, const char* key
 
 /// "auto.cost=3 auto.soften=on" and its cost.
 std::string settingText(const ReportRow& row) {
-  return row.value("setting", "") + " (" + figure(row, "us_per_simulated_second") + " us)";
+  return row.value("setting", "") + " (" + frameCost(row) + " ms a frame)";
 }
 
 }  // namespace

@@ -2,10 +2,10 @@
 #include "report/sections/samples.hpp"
 #include "report/sections/section_scene.hpp"
 #include "report/sections/sections.hpp"
+#include "report/sections/stable_substeps.hpp"
 #include "report/timing.hpp"
 
 #include <cmath>
-#include <map>
 
 namespace drape::report::sections {
 namespace {
@@ -13,26 +13,12 @@ namespace {
 constexpr double microseconds = 1e6;
 constexpr double milliseconds = 1e3;
 constexpr double megabytes = 1e-6;
-/// Step of the paper's explicit reference, for a method that is never stable [s].
-constexpr double finestStep = 1.0 / 30000.0;
 /// Assumed upper bound for the exponent of all times.
 constexpr double cautiousExponent = 1.5;
 
 /// Time limit of a cell [s]; larger grids are skipped.
 double maxSeconds(const ReportOptions& options) {
   return options.quick ? 0.5 : 10.0;
-}
-
-/// The number of substeps that makes a method stable.
-int stableSubsteps(const sim::SolverInfo& solver, const scene::Scene& scene) {
-  const sim::StepParameters& parameters = scene.settings.step;
-  if (solver.stepLimit == nullptr) {
-    return 1;
-  }
-  constexpr double safely = 0.9;
-  const double limit = solver.stepLimit(*scene.model, parameters);
-  const double longest = limit > 0.0 ? safely * limit : finestStep;
-  return std::isfinite(longest) ? static_cast<int>(std::ceil(parameters.timeStep / longest * (1.0 - 1e-9))) : 1;
 }
 
 /// The row of the same method on the next smaller grid; null when there is none.
@@ -72,7 +58,7 @@ ReportRows measureGrowth(const sim::SolverInfo& solver, int resolution, const Re
     return {row};
   }
   settings::Settings settings = scene->settings;
-  settings.step.substeps = stableSubsteps(solver, *scene);
+  settings.step.substeps = stableSubsteps(solver, *scene->model, settings.step);
   const TimingBudget budget{.seconds = options.quick ? 0.05 : 0.25, .minSteps = minSteps, .maxSteps = 1000};
   const StepTiming timing = timeSteps(*scene, settings, budget, context.checkStop);
   const double median = medianOf(timing.stepSeconds);
@@ -103,15 +89,16 @@ SectionPlan plan(const ReportOptions& options) {
   return plan;
 }
 
-Plot plotOf(const ReportRows& rows, const char* key, const std::string& title, const std::string& unit) {
+/// A value over the number of vertices, a curve for each method. Methods with more vertices for the value stand out.
+Plot plotOf(const ReportRows& rows, const char* key, double factor, const std::string& title, const std::string& unit) {
   Plot plot{std::string("growth-") + key, title, {"vertices", Scale::Logarithmic}, {unit, Scale::Logarithmic}, {}};
-  std::map<std::string, std::size_t> places;
   for (const ReportRow& row : rows) {
-    const auto [place, isNew] = places.emplace(row.value("method", ""), plot.curves.size());
-    if (isNew) {
-      plot.curves.push_back({place->first, {}});
+    const PlotPoint point{numberIn(row, "vertices"), factor * numberIn(row, key)};
+    Curve& curve = curveLabelled(row.value("method", ""), plot);
+    curve.points.push_back(point);
+    if (point.y > 0.0) {
+      curve.importance = point.x / point.y;
     }
-    plot.curves[place->second].points.push_back({numberIn(row, "vertices"), numberIn(row, key)});
   }
   return plot;
 }
@@ -129,7 +116,8 @@ double exponentOf(const Curve& curve) {
 }
 
 TextTable exponents(const std::vector<Plot>& plots) {
-  TextTable table{"Exponents b of value = a vertices^b, fitted", {"method", "step", "set-up", "memory"}, {}};
+  TextTable table{
+      "Exponents b of value = a vertices^b, fitted", {"method", "substep", "frame", "set-up", "memory"}, {}};
   for (std::size_t i = 0; i < plots.front().curves.size(); ++i) {
     std::vector<std::string> fields{plots.front().curves[i].label};
     for (const Plot& plot : plots) {
@@ -141,13 +129,11 @@ TextTable exponents(const std::vector<Plot>& plots) {
 }
 
 TextTable tableOf(const ReportRows& rows) {
-  TextTable table{"Costs",
-                  {"method", "grid", "substeps", "substep [us]", "simulated second [ms]", "set-up [ms]", "memory [MB]"},
-                  {}};
+  TextTable table{
+      "Costs", {"method", "grid", "substeps", "substep [ms]", "frame [ms]", "set-up [ms]", "memory [MB]"}, {}};
   for (const ReportRow& row : rows) {
     table.rows.push_back({row.value("method", ""), gridText(row.value("resolution", 0)), figure(row, "substeps", 7),
-                          row.value("skipped", figure(row, "step_us")),
-                          text::figure(numberIn(row, "us_per_simulated_second") / milliseconds),
+                          row.value("skipped", text::figure(numberIn(row, "step_us") / milliseconds)), frameCost(row),
                           figure(row, "setup_ms"), figure(row, "memory_mb")});
   }
   return table;
@@ -157,9 +143,11 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
   if (rows.empty()) {
     return {};
   }
-  const std::vector<Plot> plots{plotOf(rows, "step_us", "Time of a substep", "us"),
-                                plotOf(rows, "setup_ms", "Set-up before the first step", "ms"),
-                                plotOf(rows, "memory_mb", "Memory of the solver", "MB")};
+  const std::vector<Plot> plots{
+      plotOf(rows, "step_us", 1.0 / milliseconds, "Time of a substep", "ms"),
+      plotOf(rows, "us_per_simulated_second", msPerFrame(1.0), "Time of a frame of 1/60 s", "ms"),
+      plotOf(rows, "setup_ms", 1.0, "Set-up before the first step", "ms"),
+      plotOf(rows, "memory_mb", 1.0, "Memory of the solver", "MB")};
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
       "Every method with its default settings on the scene 'grid' with steps of 1/150 s. The explicit methods use as "

@@ -5,12 +5,14 @@
 /// All sections of the report. Each is described by a function in the file of its name, and listed in sections.cpp.
 namespace drape::report::sections {
 
+Section answer();
 Section table1();
 Section table2();
 Section growth();
 Section workPrecision();
 Section stability();
-Section whatFollows();
+Section conclusions();
+Section budget();
 Section threads();
 Section hardCases();
 Section collision();

@@ -80,7 +80,7 @@ std::shared_ptr<const scene::Scene> buildSetUp(const SetUp& setUp, int resolutio
   pins.corners = setUp.corners;
   pins.edges = setUp.edges;
   const bool ownPins = !pins.corners.empty() || !pins.edges.empty();
-  const auto scene = ownPins ? gridScene(setUp.scene, resolution, all, pins) : gridScene(setUp.scene, resolution, all);
+  auto scene = ownPins ? gridScene(setUp.scene, resolution, all, pins) : gridScene(setUp.scene, resolution, all);
   if (setUp.place == nullptr) {
     return scene;
   }

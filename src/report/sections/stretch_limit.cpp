@@ -39,7 +39,7 @@ struct LimitedRun {
   double laterCost = 0.0;        ///< the same from then until freeTime [us]
   double lowestStiffness = 1.0;  ///< factor on the stretch moduli [-]
   double restStiffness = 1.0;    ///< the same at the end [-]
-  double largestStrain = 0.0;    ///< of strainAlongYarns [-]
+  double largestStrain = 0.0;    ///< of strainsAlongYarns [-]
   double restStrain = 0.0;       ///< the same at the end [-]
   double restSpeed = 0.0;        ///< the largest of a vertex [m/s]
 };
@@ -85,7 +85,7 @@ LimitedRun runLimited(const scene::Scene& scene, const sim::adaptive::AutoOption
     }
     run.restStiffness = report.choice ? report.choice->stiffnessScale : 1.0;
     run.lowestStiffness = std::min(run.lowestStiffness, run.restStiffness);
-    run.restStrain = sim::fabric::strainAlongYarns(*scene.model, state.positions);
+    run.restStrain = sim::fabric::strainsAlongYarns(*scene.model, state.positions).front();
     run.largestStrain = std::max(run.largestStrain, run.restStrain);
     if (step == stepsIn(movedTime)) {
       run.moved = state.positions;

@@ -143,7 +143,7 @@ std::vector<Case> quickCases() {
   return cases;
 }
 
-/// The paper does not give its stiffness: 10 N/m for all starts, and stiffer springs for two of them.
+/// The paper's stiffness, 10 N/m, for all starts, and stiffer springs for two of them.
 std::vector<Case> allCases() {
   std::vector<Case> cases;
   for (const int resolution : {17, 33}) {

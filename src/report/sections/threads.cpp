@@ -5,12 +5,13 @@
 #include "report/timing.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <thread>
 
 namespace drape::report::sections {
 namespace {
+
+constexpr double milliseconds = 1e3;  // in us
 
 constexpr double microseconds = 1e6;
 
@@ -75,22 +76,18 @@ Plot plotOf(const ReportRows& rows, const std::string& method, bool overSize) {
   Plot plot{"threads-" + method + (overSize ? "-time" : "-speedup"),
             method + (overSize ? ": time of a step" : ": speed-up over one thread"),
             {overSize ? "vertices" : "threads", overSize ? Scale::Logarithmic : Scale::Linear},
-            {overSize ? "us" : "speed-up", overSize ? Scale::Logarithmic : Scale::Linear},
+            {overSize ? "ms" : "speed-up", overSize ? Scale::Logarithmic : Scale::Linear},
             {}};
-  std::map<int, std::size_t> places;
   for (const ReportRow& row : rows) {
     if (row.value("method", "") != method) {
       continue;
     }
     const int key = row.value(overSize ? "threads" : "resolution", 0);
-    const auto [place, isNew] = places.emplace(key, plot.curves.size());
-    if (isNew) {
-      plot.curves.push_back({overSize ? std::to_string(key) + (key == 1 ? " thread" : " threads") : gridText(key), {}});
-    }
+    const std::string label = overSize ? std::to_string(key) + (key == 1 ? " thread" : " threads") : gridText(key);
     const double time = numberIn(row, "step_us");
-    plot.curves[place->second].points.push_back(overSize
-                                                    ? PlotPoint{numberIn(row, "vertices"), time}
-                                                    : PlotPoint{numberIn(row, "threads"), aloneTime(rows, row) / time});
+    curveLabelled(label, plot)
+        .points.push_back(overSize ? PlotPoint{numberIn(row, "vertices"), time / milliseconds}
+                                   : PlotPoint{numberIn(row, "threads"), aloneTime(rows, row) / time});
   }
   return plot;
 }
@@ -102,11 +99,12 @@ std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
       "result is bit-identical for any number. Threads that wait for each other can only be timed on "
       "an idle machine."});
   std::set<std::string> methods;
-  TextTable table{"Times", {"method", "grid", "threads", "step [us]", "speed-up"}, {}};
+  TextTable table{"Times", {"method", "grid", "threads", "step [ms]", "speed-up"}, {}};
   for (const ReportRow& row : rows) {
     methods.insert(row.value("method", ""));
     table.rows.push_back({row.value("method", ""), gridText(row.value("resolution", 0)), figure(row, "threads"),
-                          figure(row, "step_us"), text::figure(aloneTime(rows, row) / numberIn(row, "step_us"))});
+                          text::figure(numberIn(row, "step_us") / milliseconds),
+                          text::figure(aloneTime(rows, row) / numberIn(row, "step_us"))});
   }
   for (const std::string& method : methods) {
     blocks.emplace_back(plotOf(rows, method, true));

@@ -84,6 +84,7 @@ Plot plotOf(const std::string& group, const ReportRows& rows) {
       curve.points.push_back({.x = static_cast<double>(resolution), .y = 100.0 * largest.error, .note = largest.mesh});
     }
     const LargestError& finest = errors[name].rbegin()->second;
+    curve.importance = finest.error / finest.aim;
     if (finest.error > finest.aim) {
       curve.points.back().mark = Mark::Cross;
       curve.label += " (off)";

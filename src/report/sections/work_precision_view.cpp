@@ -63,8 +63,8 @@ ReportRows frontOf(const ReportRows& rows) {
 
 PlotPoint pointOf(const ReportRow& row) {
   const std::string state = row.value("state", "");
-  PlotPoint point{numberIn(row, "us_per_simulated_second"), millimetres * numberIn(row, "error_mean")};
-  point.note = nameOf(row) + ": " + text::figure(point.y) + " mm, " + text::figure(point.x) + " us, " + state;
+  PlotPoint point{msPerFrame(numberIn(row, "us_per_simulated_second")), millimetres * numberIn(row, "error_mean")};
+  point.note = nameOf(row) + ": " + text::figure(point.y) + " mm, " + text::figure(point.x) + " ms a frame, " + state;
   point.low = millimetres * numberIn(row, "error_low");
   point.high = millimetres * numberIn(row, "error_high");
   if (state == "exploded") {
@@ -82,7 +82,7 @@ void addFloor(const ReportRows& rows, Plot& plot) {
   Curve floor{"noise floor", {}, CurveStyle::Level};
   for (const ReportRow& row : rows) {
     const double height = std::fmax(numberIn(row, "noise_floor"), numberIn(row, "reference_difference"));
-    floor.points.push_back({numberIn(row, "us_per_simulated_second"), millimetres * height});
+    floor.points.push_back({msPerFrame(numberIn(row, "us_per_simulated_second")), millimetres * height});
   }
   plot.curves.push_back(floor);
 }
@@ -90,20 +90,17 @@ void addFloor(const ReportRows& rows, Plot& plot) {
 Plot plotOf(const WorkClothAt& cloth, const ReportRows& rows) {
   Plot plot{fileOf(cloth),
             titleOf(cloth),
-            {"time per simulated second [us]", Scale::Logarithmic},
+            {"time per frame of 1/60 s [ms]", Scale::Logarithmic},
             {"mean error [mm]", Scale::Logarithmic},
             {}};
-  std::map<std::string, std::size_t> places;
   for (const ReportRow& row : rows) {
-    const auto [place, isNew] = places.emplace(row.value("curve", ""), plot.curves.size());
-    if (isNew) {
-      plot.curves.push_back({place->first, {}});
-    }
-    plot.curves[place->second].points.push_back(pointOf(row));
+    curveLabelled(row.value("curve", ""), plot).points.push_back(pointOf(row));
   }
   Curve front{"Pareto front", {}, CurveStyle::Front};
   for (const ReportRow& row : frontOf(rows)) {
     front.points.push_back(pointOf(row));
+    // Curves with a larger part of the front stand out.
+    curveLabelled(row.value("curve", ""), plot).importance += 1.0;
   }
   plot.curves.push_back(front);
   addFloor(rows, plot);
@@ -111,12 +108,12 @@ Plot plotOf(const WorkClothAt& cloth, const ReportRows& rows) {
 }
 
 TextTable tableOf(const std::string& title, const ReportRows& rows) {
-  TextTable table{title,
-                  {"method", "setting", "us per simulated second", "mean error [mm]", "rms error [mm]", "eps", "S",
-                   "motion kept", "state"},
-                  {}};
+  TextTable table{
+      title,
+      {"method", "setting", "ms a frame", "mean error [mm]", "rms error [mm]", "eps", "S", "motion kept", "state"},
+      {}};
   for (const ReportRow& row : rows) {
-    table.rows.push_back({row.value("method", ""), row.value("setting", ""), figure(row, "us_per_simulated_second"),
+    table.rows.push_back({row.value("method", ""), row.value("setting", ""), frameCost(row),
                           text::figure(millimetres * numberIn(row, "error_mean")),
                           text::figure(millimetres * numberIn(row, "error_rms")), figure(row, "eps"), figure(row, "S"),
                           figure(row, "motion_kept"), row.value("state", "")});
@@ -173,7 +170,7 @@ std::string stateOf(bool finite, const ErrorSummary& summary, double diagonal) {
 std::vector<Block> showWorkPrecision(const ReportOptions& options, const ReportRows& rows) {
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{
-      "Mean distance from the converged motion over the time of one thread per simulated second. Steps are "
+      "Mean distance from the converged motion over the time of one thread per frame of 1/60 s. Steps are "
       "1/150 s, in double unless the name of a curve says float. The set-up of the solver is not included (see the "
       "section on growth). Times are medians of repeats that alternate between the methods. A hollow mark is frozen: "
       "it "

@@ -3,6 +3,7 @@
 #include "report/number_text.hpp"
 #include "report/section.hpp"
 
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -11,8 +12,8 @@ namespace drape::report::sections {
 
 /// Whether a row of work_precision is a calm setting with known time and error.
 [[nodiscard]] inline bool isCalmRow(const ReportRow& row) {
-  return row.value("state", "") == "calm" && row["us_per_simulated_second"].is_number() &&
-         row["error_of_diagonal"].is_number();
+  return row.value("state", "") == "calm" && std::isfinite(numberIn(row, "us_per_simulated_second")) &&
+         std::isfinite(numberIn(row, "error_of_diagonal"));
 }
 
 /// A cloth of work_precision.
@@ -32,8 +33,9 @@ struct WorkCloth {
   WorkCloth cloth;
   cloth.scene = row.value("scene", "");
   cloth.resolution = resolutionIn(row);
-  cloth.isFabric = !row["stiffness"].is_number();
-  cloth.stiffness = cloth.isFabric ? 0.0 : row["stiffness"].get<double>();
+  const double stiffness = numberIn(row, "stiffness");
+  cloth.isFabric = !std::isfinite(stiffness);
+  cloth.stiffness = cloth.isFabric ? 0.0 : stiffness;
   cloth.material = row.value("material", "springs");
   return cloth;
 }

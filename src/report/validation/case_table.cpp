@@ -15,6 +15,9 @@ constexpr std::array coarseResolutions{5, 10, 20};
 constexpr std::array discResolutions{12, 24, 48};
 constexpr std::array remeshedResolutions{18, 34, 48};  // a half, two and four times the vertices of 24 cells
 constexpr std::array oneKind{MeshKind::Alternating};
+constexpr std::array lateralResolutions{20, 40, 80};
+constexpr std::array skirtResolutions{7, 14, 20};  // a half, two and four times the vertices of 10 cells
+constexpr std::array skirtKind{MeshKind::Irregular};
 
 /// The lowest mode of the stretched membrane with a solver.
 constexpr ValidationCase membraneWith(std::string_view name, std::string_view solver, std::string_view reason = {}) {
@@ -170,6 +173,11 @@ constexpr std::array casesOfValidation{
         "load per width at which the flat strip becomes unstable, pi^2 B / L^2", "N/m", 0.01, buckling},
     ValidationCase{bendingGroup, "twist", "Square plate on a saddle",
         "twist stiffness of a plate whose corners are moved to y = k x z, energy 2 D_33 k^2 an area", "N m", 0.01, twist},
+    ValidationCase{.group = bendingGroup, .name = "lateral_buckling", .title = "Strip on edge, clamped at one end",
+        .compared = "weight at which it buckles sideways, from the eigenvalue problem of B = D_11 b and C = 4 D_33 b",
+        .unit = "N/m^2", .aim = 0.01, .run = lateralBuckling, .resolutions = lateralResolutions},
+    ValidationCase{bendingGroup, "stick_slip", "Clamped strip, pressed upright onto a floor by a tenth of its length",
+        "friction below which its lower end slips, from the elastica", "", 0.01, stickSlip},
     membraneWith("membrane_auto", "auto"),
     membraneWith("membrane_verlet", "verlet"),
     membraneWith("membrane_explicit_euler", "explicit_euler", gainsEnergy),
@@ -178,6 +186,7 @@ constexpr std::array casesOfValidation{
     membraneWith("membrane_pcg", "pcg"),
     membraneWith("membrane_newton", "newton"),
     membraneWith("membrane_vbd", "vbd", tooFewIterations),
+    membraneWith("membrane_xpbd", "xpbd", tooFewIterations),
     stripWith("strip_auto", "auto"),
     stripWith("strip_verlet", "verlet"),
     stripWith("strip_explicit_euler", "explicit_euler", gainsEnergy),
@@ -186,6 +195,7 @@ constexpr std::array casesOfValidation{
     stripWith("strip_pcg", "pcg"),
     stripWith("strip_newton", "newton"),
     stripWith("strip_vbd", "vbd", tooFewIterations),
+    stripWith("strip_xpbd", "xpbd", tooFewIterations),
     ValidationCase{.group = CaseGroup::Frequency, .name = "membrane_22", .title = "Stretched square membrane, mode 2, 2",
         .compared = "frequency, sqrt(S / density) sqrt(8) / (2 L)", .unit = "1/s", .aim = 0.01, .run = membraneMode22,
         .resolutions = frequencyResolutions, .subject = "auto"},
@@ -219,6 +229,10 @@ constexpr std::array casesOfValidation{
     remeshedDiscOf("remeshed_disc_cotton", "cotton", "Cusick's disc of cotton, remeshed", oneKind),
     remeshedDiscOf("remeshed_disc_denim", "denim", "Cusick's disc of denim, remeshed", meshKinds),
     remeshedCapeOf("remeshed_cape", "denim", "Round cape of denim, 12 cm long, remeshed", oneKind),
+    ValidationCase{.group = CaseGroup::Drape, .name = "remeshed_skirt", .title = "Built-in skirt of denim, remeshed",
+        .compared = "mean height from waist to hem, compared with that of 10 cells", .unit = "m", .aim = 0.02,
+        .run = remeshedSkirt, .resolutions = skirtResolutions, .kinds = skirtKind, .everyResolution = true,
+        .subject = "denim"},
 };
 // clang-format on
 

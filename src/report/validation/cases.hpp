@@ -23,6 +23,10 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison buckling(const CaseMesh& mesh);
 [[nodiscard]] Comparison twist(const CaseMesh& mesh);
 
+// strip_cases.cpp
+[[nodiscard]] Comparison lateralBuckling(const CaseMesh& mesh);
+[[nodiscard]] Comparison stickSlip(const CaseMesh& mesh);
+
 // frequency_cases.cpp; the subject is a solver
 [[nodiscard]] Comparison membraneMode11(const CaseMesh& mesh);
 [[nodiscard]] Comparison membraneMode22(const CaseMesh& mesh);
@@ -38,5 +42,8 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison cusick(const CaseMesh& mesh);
 [[nodiscard]] Comparison remeshedDisc(const CaseMesh& mesh);
 [[nodiscard]] Comparison remeshedCape(const CaseMesh& mesh);
+
+// garment_cases.cpp; the subject is a preset
+[[nodiscard]] Comparison remeshedSkirt(const CaseMesh& mesh);
 
 }  // namespace drape::report::validation

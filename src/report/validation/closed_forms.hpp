@@ -60,6 +60,40 @@ inline constexpr double peirceAngle = 41.5 / 180.0 * 3.14159265358979323846;
 /// Euler's buckling load of a strip with hinged ends, pi^2 B / L^2 a width [N/m].
 [[nodiscard]] double bucklingLoad(double bending, double length);
 
+/// Lateral buckling of a strip on edge: one end of it is clamped, its width is vertical, and it buckles sideways under
+/// its own weight. The strip is inextensible, deflects by v + z theta with z the height over its middle line, and its
+/// bending moment in its own plane is q (L - x)^2 / 2. The energy of a small deflection is
+///
+///     1/2 integral of  B v''^2 + q (L - x)^2 v'' theta + C theta'^2 + W theta''^2  over the length L
+///
+/// with the weight q = w b of a length [N/m], the weight w per area and the width b; the lateral stiffness B = D_11 b,
+/// the torsional stiffness C = 4 D_33 b and the warping stiffness W = D_11 b^3 / 12, which a clamp causes that holds
+/// the strip over its whole width (Vlasov). Its minimum over v leaves an eigenvalue problem for theta: with s = 1 - x /
+/// L,
+///
+///     theta'' - warping theta'''' + k^2 s^4 theta = 0,   k = q L^3 / (2 sqrt(B C)),   warping = W / (C L^2)
+///
+/// Without warping 2 k = 12.85 (Timoshenko and Gere, Theory of elastic stability, chapter 6; the zero of a Bessel
+/// function). The width must be small against the length, and the strip stiff in its own plane.
+/// @return 2 k = q L^3 / sqrt(B C) at which the straight strip becomes unstable [-], from cubic finite elements
+[[nodiscard]] double lateralBucklingNumber(double warping);
+
+/// The weight per area at which such a strip buckles [N/m^2].
+/// @param bending D_11 [N m]  @param twisting D_33 [N m]  @param width b [m]  @param length L [m]
+[[nodiscard]] double lateralBucklingWeight(double bending, double twisting, double width, double length);
+
+/// A strip that is clamped upright at its upper end, and stands with its lower end on a floor, without weight. The
+/// clamp has moved down by a share of the strip's length, and the strip has bent. Its lower end turns freely and
+/// sticks. The friction that this needs follows from the elastica with the slope theta from the vertical,
+///
+///     theta'' = -p sin(theta) + q cos(theta),   theta'(0) = 0,   theta(1) = 0
+///
+/// whose ends are above each other at the distance 1 - shortening. p and q are the vertical and the horizontal force of
+/// the floor, times L^2 / B. (Sano, Yamaguchi and Wada 2017, Slip morphology of elastic strips on frictional rigid
+/// substrates.) @param shortening above 0 and at most 0.5 [-]
+/// @return the coefficient of friction q / p at which the lower end begins to slip [-]
+[[nodiscard]] double frictionOfPressedStrip(double shortening);
+
 /// The energy per area of a picture frame test [J/m^2]. The sides of a square along warp and weft keep their length,
 /// and its angles change by `angle` [rad].
 [[nodiscard]] double pictureFrameEnergy(const sim::fabric::Material& material, double angle);

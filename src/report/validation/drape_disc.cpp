@@ -57,8 +57,9 @@ void turnDiagonals(TestSheet& sheet) {
       const int b = sheet.vertex(column + 1, row);
       const int c = sheet.vertex(column, row + 1);
       const int d = sheet.vertex(column + 1, row + 1);
-      Triangle& first = sheet.mesh.triangles[2 * (row * cells + column)];
-      Triangle& second = sheet.mesh.triangles[2 * (row * cells + column) + 1];
+      const int ofCell = 2 * (row * cells + column);
+      Triangle& first = sheet.mesh.triangles[ofCell];
+      Triangle& second = sheet.mesh.triangles[ofCell + 1];
       const bool falling = column == row;
       first = falling ? Triangle{a, c, d} : Triangle{a, c, b};
       second = falling ? Triangle{a, d, b} : Triangle{b, c, d};

@@ -33,7 +33,7 @@ Oscillation stretchedMembrane(int m, int n, const CaseMesh& mesh) {
     }
     const double wave =
         std::sin(std::numbers::pi * m * rest.x() / side) * std::sin(std::numbers::pi * n * rest.z() / side);
-    oscillation.equilibrium.push_back(stretch * rest);
+    oscillation.equilibrium.emplace_back(stretch * rest);
     oscillation.shape.emplace_back(0.0, onSide ? 0.0 : amplitude * wave, 0.0);
   }
   oscillation.model = clothOf(sheet, material, density, frame);

@@ -185,5 +185,56 @@ TEST(TerminalFall, fallsFreelyAtFirstAndEvenlyAtTheEnd) {
   EXPECT_NEAR(fall.distance(3.0) - fall.distance(2.0), speed, 1e-6);
 }
 
+/// theta = sqrt(s) J_(-1/6)(k s^3 / 3), as a power series without constant factors.
+double twistAtTheClamp(double k) {
+  double term = 1.0;
+  double sum = 1.0;
+  for (int m = 1; m < 40; ++m) {
+    term *= -k * k / 36.0 / (m * (m - 1.0 / 6.0));
+    sum += term;
+  }
+  return sum;
+}
+
+TEST(LateralBuckling, hasTheFirstZeroOfABesselFunctionWithoutWarping) {
+  const double number = lateralBucklingNumber(0.0);
+  EXPECT_NEAR(number, 12.85, 0.01);
+  EXPECT_GT(twistAtTheClamp(0.5 * number - 1e-4), 0.0);
+  EXPECT_LT(twistAtTheClamp(0.5 * number + 1e-4), 0.0);
+}
+
+TEST(LateralBuckling, isHinderedByWarpingInALayerAtTheClamp) {
+  const double without = lateralBucklingNumber(0.0);
+  const double narrow = lateralBucklingNumber(1e-4) / without - 1.0;
+  const double wide = lateralBucklingNumber(4e-4) / without - 1.0;
+  EXPECT_GT(narrow, 0.0);
+  EXPECT_NEAR(wide / narrow, 2.0, 0.15);  // the layer has the length sqrt(warping)
+}
+
+TEST(LateralBuckling, weightFallsWithTheThirdPowerOfTheLength) {
+  const double weight = lateralBucklingWeight(1e-4, 0.5e-4, 0.01, 0.2);
+  EXPECT_NEAR(lateralBucklingWeight(1e-4, 0.5e-4, 0.02, 0.4) / weight, 0.125, 1e-9);
+  EXPECT_NEAR(lateralBucklingWeight(2e-4, 1e-4, 0.01, 0.2) / weight, 2.0, 1e-9);
+  // A narrow strip: 12.85 sqrt(B C) / (b L^3) with B = D_11 b and C = 4 D_33 b.
+  EXPECT_NEAR(lateralBucklingWeight(1e-4, 0.5e-4, 1e-4, 0.2), 12.85 * std::sqrt(2e-8) / 0.008, 0.01 * weight);
+}
+
+TEST(PressedStrip, needsAFrictionThatRisesWithTheRootOfASmallShortening) {
+  // Small deflections: q / p = 2 sqrt(shortening) / k with k = tan(k).
+  for (const double shortening : {1e-4, 1e-3}) {
+    EXPECT_NEAR(frictionOfPressedStrip(shortening), 2.0 * std::sqrt(shortening) / 4.4934095,
+                2e-3 * std::sqrt(shortening));
+  }
+}
+
+TEST(PressedStrip, needsMoreFrictionTheMoreItIsPressed) {
+  double former = 0.0;
+  for (const double shortening : {0.05, 0.1, 0.2, 0.3, 0.5}) {
+    EXPECT_GT(frictionOfPressedStrip(shortening), former);
+    former = frictionOfPressedStrip(shortening);
+  }
+  EXPECT_LT(former, 1.0);
+}
+
 }  // namespace
 }  // namespace drape::report::validation

@@ -7,9 +7,9 @@
 namespace drape::report {
 namespace {
 
-const Section& whatFollows() {
+const Section& conclusions() {
   const auto table = sectionTable();
-  return *std::find_if(table.begin(), table.end(), [](const Section& one) { return one.name == "what_follows"; });
+  return *std::find_if(table.begin(), table.end(), [](const Section& one) { return one.name == "conclusions"; });
 }
 
 SectionRows measured() {
@@ -42,8 +42,8 @@ ReportRow answer(const ReportRows& rows, const char* question, const char* key, 
   return nullptr;
 }
 
-TEST(WhatFollows, isTheCheapestCalmSettingUnderEachError) {
-  const ReportRows rows = whatFollows().derive(measured());
+TEST(Conclusions, isTheCheapestCalmSettingUnderEachError) {
+  const ReportRows rows = conclusions().derive(measured());
   EXPECT_EQ(answer(rows, "cheapest", "share", 1e-2)["setting"], "n=1");
   EXPECT_EQ(answer(rows, "cheapest", "share", 1e-2)["method"], "fast");
   EXPECT_EQ(answer(rows, "cheapest", "share", 1e-3)["method"], "slow");
@@ -51,8 +51,8 @@ TEST(WhatFollows, isTheCheapestCalmSettingUnderEachError) {
   EXPECT_EQ(answer(rows, "cheapest", "share", 1e-4)["setting"], "n=1");
 }
 
-TEST(WhatFollows, isTheLeastErrorOfEachMethodForAMillisecondAFrame) {
-  const ReportRows rows = whatFollows().derive(measured());
+TEST(Conclusions, isTheLeastErrorOfEachMethodForAMillisecondAFrame) {
+  const ReportRows rows = conclusions().derive(measured());
   // 60000 us per simulated second: the finer setting of the slow method exceeds it.
   EXPECT_EQ(answer(rows, "budget", "method", "slow")["error_of_diagonal"], 5e-4);
   EXPECT_EQ(answer(rows, "budget", "method", "fast")["error_of_diagonal"], 8e-3);
@@ -75,7 +75,7 @@ ReportRow measuredRow(const char* method, double cost, double error, const char*
           {"state", state}};
 }
 
-TEST(WhatFollows, comparesAutoWithTheBestOtherMethodAtEqualCost) {
+TEST(Conclusions, comparesAutoWithTheBestOtherMethodAtEqualCost) {
   SectionRows rows;
   rows["work_precision"] = {measuredRow("auto", 1.0, 0.5),    // the cheapest of all
                             measuredRow("auto", 10.0, 0.06),  // twice the error of verlet at 10
@@ -88,7 +88,7 @@ TEST(WhatFollows, comparesAutoWithTheBestOtherMethodAtEqualCost) {
                             measuredRow("xpbd", 10.0, 0.05),
                             measuredRow("xpbd", 11.0, 1e-6, "exploded"),
                             measuredRow("verlet", 35.0, 1e-5)};
-  const ReportRow row = answer(whatFollows().derive(rows), "equal_cost", "method", "auto");
+  const ReportRow row = answer(conclusions().derive(rows), "equal_cost", "method", "auto");
   EXPECT_EQ(row["points"], 5);
   EXPECT_EQ(row["within"], 4);
   EXPECT_EQ(row["best"], 2);
@@ -98,12 +98,12 @@ TEST(WhatFollows, comparesAutoWithTheBestOtherMethodAtEqualCost) {
   EXPECT_EQ(row["by_error_mean"], 0.03);
 }
 
-TEST(WhatFollows, listsTheClothsOnWhichAutoIsBehind) {
+TEST(Conclusions, listsTheClothsOnWhichAutoIsBehind) {
   SectionRows rows;
   rows["work_precision"] = {measuredRow("auto", 10.0, 0.06), measuredRow("verlet", 10.0, 0.03)};
   const auto tables = [&] {
     int count = 0;
-    for (const Block& block : whatFollows().show({}, whatFollows().derive(rows))) {
+    for (const Block& block : conclusions().show({}, conclusions().derive(rows))) {
       const auto* table = std::get_if<TextTable>(&block);
       count += table != nullptr && table->title.find("larger error") != std::string::npos ? 1 : 0;
     }
@@ -115,18 +115,18 @@ TEST(WhatFollows, listsTheClothsOnWhichAutoIsBehind) {
   EXPECT_EQ(tables(), 0) << "it is nowhere behind";
 }
 
-TEST(WhatFollows, saysWhereThereIsNoSetting) {
+TEST(Conclusions, saysWhereThereIsNoSetting) {
   SectionRows rows = measured();
   for (ReportRow& row : rows["work_precision"]) {
     row["state"] = "exploded";
   }
-  const ReportRows answers = whatFollows().derive(rows);
+  const ReportRows answers = conclusions().derive(rows);
   EXPECT_TRUE(answer(answers, "cheapest", "share", 1e-2)["method"].is_null());
   EXPECT_TRUE(answer(answers, "budget", "method", "fast")["error_mean"].is_null());
   EXPECT_EQ(answer(answers, "equal_cost", "method", "auto")["points"], 0);
   EXPECT_TRUE(answer(answers, "equal_cost", "method", "auto")["ratio"].is_null());
-  EXPECT_FALSE(whatFollows().show({}, answers).empty());
-  EXPECT_TRUE(whatFollows().derive({}).empty());
+  EXPECT_FALSE(conclusions().show({}, answers).empty());
+  EXPECT_TRUE(conclusions().derive({}).empty());
 }
 
 }  // namespace
