@@ -16,7 +16,7 @@ std::optional<DocumentedCommand> parse(const std::string& page, int line, std::s
   static const std::regex shape(
       R"(^(scripts/|build/release/bin/)?(drape[a-z-]*|drape_bench|[a-z_]+_tests|cmake|ctest|[a-z-]+)( +\S.*)$)");
   static const std::regex comment(R"( +# .*$)");
-  static const std::regex mention(R"(drape-headless +(run|capture|measure))");
+  static const std::regex mention(R"(drape-headless +(run|capture|measure|save))");
   static const std::regex placeholder(R"((^|[ |=/\[])(\.\.\.|[A-Z][A-Z_]*|\[.*\])($|[ |\]]))");
   text = std::regex_replace(text, comment, "");
   std::smatch parts;
@@ -31,7 +31,7 @@ std::optional<DocumentedCommand> parse(const std::string& page, int line, std::s
     return std::nullopt;
   }
   const bool synopsis = std::regex_search(text, placeholder) || std::regex_match(text, mention);
-  return DocumentedCommand{page, line, program, folder == "scripts/", text, synopsis};
+  return DocumentedCommand{page, line, program, folder == "scripts/", text, synopsis, ""};
 }
 
 /// The code spans of a line outside code blocks. A bar is escaped in tables.
@@ -46,6 +46,17 @@ std::vector<std::string> codeSpans(const std::string& line) {
     begin = line.find('`', end + 1);
   }
   return spans;
+}
+
+/// Text of the nearest command of the list that writes a file which that command reads; empty: none.
+std::string writingCommand(const std::vector<DocumentedCommand>& before, const std::string& text) {
+  static const std::regex written(R"(--(save|output|export|film|probe-output|record|stats|json) +(\S+))");
+  const std::string read = std::regex_replace(text, written, "") + ' ';
+  const auto writes = std::find_if(before.rbegin(), before.rend(), [&](const DocumentedCommand& command) {
+    std::smatch file;
+    return std::regex_search(command.text, file, written) && read.find(' ' + file[2].str() + ' ') != std::string::npos;
+  });
+  return writes == before.rend() ? std::string{} : writes->text;
 }
 
 /// Reads the lines of a page.
@@ -85,6 +96,7 @@ class Page {
 
   void add(int line, const std::string& text) {
     if (auto command = parse(name_, line, text)) {
+      command->needs = writingCommand(commands_, command->text);
       commands_.push_back(std::move(*command));
     }
   }

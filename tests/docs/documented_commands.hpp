@@ -15,9 +15,9 @@ struct DocumentedCommand {
   bool script = false;  ///< the first word is in scripts/
   std::string text;     ///< the whole command line, continued lines joined, without a comment
   /// It cannot be run as it is: it has placeholders (`[SCENE|MESH]`, `--seconds T`, `...`), or contains only a
-  /// subcommand
-  /// (`drape-headless measure`).
+  /// subcommand (`drape-headless measure`).
   bool synopsis = false;
+  std::string needs;  ///< the command before it that writes a file it reads; empty: it reads none
 };
 
 /// For messages of Google Test: page, line and text.

@@ -89,6 +89,9 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
   }
 
   void callProgram(const DocumentedCommand& command) {
+    if (!command.needs.empty()) {
+      ASSERT_EQ(shell(command.needs), 0) << command.needs << ": " << contentOf(output());
+    }
     const int status = shell(std::regex_replace(command.text, std::regex("^build/release/bin/"), ""));
     const std::string printed = contentOf(output());
     // Two subcommands end with 1 when a result exceeds its limit, as many do, and then say so (docs/guide/headless.md).
@@ -186,6 +189,19 @@ TEST(DocumentedCommands, areFoundInBlocksAndSpansWithTheirLines) {
   EXPECT_EQ(commands[3].program, "sim_tests");
   EXPECT_TRUE(commands[4].synopsis);
   EXPECT_EQ(commands[4].line, 8);
+}
+
+TEST(DocumentedCommands, thatReadAFileNeedTheCommandThatWritesIt) {
+  const auto commands = commandsIn("page.md",
+                                   "    drape-headless run skirt --save a.state\n"
+                                   "    drape-headless run skirt --save b.state\n"
+                                   "    drape-headless run skirt --seconds 2 --resume a.state\n"
+                                   "    drape-headless save flag --output mine.toml\n"
+                                   "    drape-headless run mine.toml --output other.toml\n");
+  ASSERT_EQ(commands.size(), 5U);
+  EXPECT_EQ(commands[4].needs, "drape-headless save flag --output mine.toml");
+  EXPECT_EQ(commands[0].needs, "");
+  EXPECT_EQ(commands[2].needs, "drape-headless run skirt --save a.state");
 }
 
 TEST(DocumentedCommands, ofTheFrontPageAreAllFound) {
