@@ -48,8 +48,7 @@ void openExport(ViewerDriver& viewer, const std::string& kind) {
 
 void fill(ViewerDriver& viewer, const std::string& field, const std::string& text) {
   viewer.click(viewer.find(field));
-  viewer.tap("ctrl+a");  // a held key would repeat and type
-  viewer.frames();
+  viewer.clearField();
   viewer.type(text);
 }
 

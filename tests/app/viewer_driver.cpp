@@ -209,6 +209,12 @@ void ViewerDriver::tap(const std::string& name) {
   xdotool({"key", name});
 }
 
+void ViewerDriver::clearField() {
+  xdotool({"key", "End"});
+  xdotool({"key", "--repeat", "40", "--delay", "4", "BackSpace"});
+  frames();
+}
+
 void ViewerDriver::holdKey(const std::string& name) {
   xdotool({"keydown", name});
   frames();

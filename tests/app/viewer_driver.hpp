@@ -91,6 +91,8 @@ class ViewerDriver {
   void resize(int width, int height);
   /// Types text and Enter into the field with the keyboard focus.
   void type(const std::string& text);
+  /// Deletes up to 40 characters of the field that has the focus.
+  void clearField();
 
   /// The position of a widget or a button, scrolled into view if needed. @param margin distance from the lower end of
   /// the panel, where a long message may lie [pixels]
