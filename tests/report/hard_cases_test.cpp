@@ -189,6 +189,12 @@ TEST(HardCases, ofContactFailWithoutContact) {
   EXPECT_TRUE(failsBy("pairs with bodies", "contact_sharp", {"bodies=off"}));
 }
 
+TEST(HardCases, ofTheRingHaveNoPairsWithTheRingWhereSelfCollisionMovesTheClothTowardsIt) {
+  const hardcases::CaseResult result =
+      hardcases::runHardCase(hardcases::requireHardCase("contact_ring"), shortly("one_iteration", {"substeps=2"}));
+  EXPECT_EQ(result.outcome, hardcases::CaseOutcome::Passed) << result.words;
+}
+
 /// Cases that a solver is known to fail in their short form. Explicit steps at half of the rest shape's stability limit
 /// are too long for a compressed sheet, and for stretched fabric.
 std::set<int> knownToFail(const std::string& solver) {

@@ -183,6 +183,7 @@ void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const Mesh
   nearest_.resize(cloth.start.size());
   near_.resize(cloth.start.size());
   searchedRadius_.resize(cloth.start.size());
+  distances_.resize(cloth.triangles.size());
   markPenetrating(cloth);
   samePositions_ = isSearched(builder, mesh, cloth);
   workers.forRange(threads, static_cast<int>(cloth.triangles.size()), [&](int begin, int end) {
@@ -191,6 +192,7 @@ void MeshSearch::findVertexContacts(const ConstraintBuilder& builder, const Mesh
     for (std::size_t c = first; c < last; ++c) {
       if (!samePositions_) {
         here.list(clusters.vertices(c), nearby_[c]);
+        useKnownDistances(clusters.triangles(c), nearby_[c]);
       }
       for (const int v : clusters.ownVertices(c)) {
         const double radius = here.radiusOf(v);
@@ -217,7 +219,6 @@ void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, cons
   if (!samePositions_ && !searched_.empty()) {
     std::fill(featureGaps_.begin(), featureGaps_.end(), -infinity);
   }
-  distances_.resize(cloth.triangles.size());
   outwards_.resize(cloth.triangles.size(), Vec3::Zero());
   features_.resize(cloth.triangles.size());
   const double close = closeDistance(builder.offsets());
@@ -230,6 +231,14 @@ void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, cons
       });
   for (const auto& part : parts) {
     candidates.append(part.found);
+  }
+}
+
+/// Sets the distances of a cluster's triangles to what is known of them at their present positions.
+void MeshSearch::useKnownDistances(std::span<const int> triangles, NearbyLeaves& nearby) {
+  nearby.distances.resize(triangles.size(), -infinity);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    distances_[triangles[i]] = nearby.distances[i] - nearby.moved;
   }
 }
 

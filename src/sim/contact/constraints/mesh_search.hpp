@@ -76,6 +76,7 @@ class MeshSearch {
   };
   class ClusterSearch;
   [[nodiscard]] bool isSearched(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth);
+  void useKnownDistances(std::span<const int> triangles, NearbyLeaves& nearby);
   void searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
                        const ContactOffsets& offsets, SharpFeatureSearch& sharp);
   void markPenetrating(const ClothInBody& cloth);
