@@ -3,6 +3,7 @@
 #include "sim/contact/bodies/body.hpp"
 #include "sim/contact/closest_features/mesh_in_step.hpp"
 #include "sim/contact/exact/exact_self_contact.hpp"
+#include "sim/contact/inverse_mass.hpp"
 #include "sim/contact/self/memory.hpp"
 #include "sim/contact/self/self_contact.hpp"
 #include "sim/contact/solve/body_contact.hpp"
@@ -156,6 +157,15 @@ void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<B
     };
     removeApproach(unguarded_, bodyVelocity, std::nullopt, state);
   }
+  // No positions were found that satisfy both. The cloth stops for this step.
+  const std::vector<double> inverseMass = inverseMassOf(step.model);
+  for (std::size_t v = 0; v < fallback_.size(); ++v) {
+    if (inverseMass[v] > 0.0) {
+      state.positions[v] = fallback_[v];
+      state.velocities[v] = (fallback_[v] - start_[v]) / step.parameters.timeStep;
+    }
+  }
+  report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state);
 }
 
 ContactReport ContactStage::keepLast() {
@@ -218,6 +228,10 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
     guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact},
                        nearBodies ? inputs.bodies : nullptr, state, report);
     report.selfSeconds += secondsSince(begin);
+  }
+  // Contact of the cloth with itself alone conserves momentum.
+  if (contact.self == SelfCollision::Exact && nearBodies && inputs.contacts == nullptr) {
+    limitApproach(unresolved_.positions, start_, parameters.timeStep, state);
   }
   changed_ = report.selfContacts > 0 || report.bodyContacts > 0;
   if (changed_) {

@@ -137,20 +137,23 @@ void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
   }
 }
 
+/// Finds the pairs that are not separated, and adds them to the guarded ones.
+/// @returns true if there are any
+bool PairGuard::find(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<const Vec3> positions) {
+  const double required = guardedSeparation * inputs.thickness;
+  search.update({inputs.model, required, inputs.reach, inputs.patches, inputs.threads}, inputs.start, positions,
+                workers);
+  findCrossing(inputs, search, workers, positions);
+  guardFound();
+  return !found_.empty();
+}
+
 /// Guards the whole motion at once.
 PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, PairSearch& search, Workers& workers,
                                          std::span<Vec3> positions) {
-  const double required = guardedSeparation * inputs.thickness;
   guarded_.clear();
   keys_.clear();
-  const auto find = [&]() {
-    search.update({inputs.model, required, inputs.reach, inputs.patches, inputs.threads}, inputs.start, positions,
-                  workers);
-    findCrossing(inputs, search, workers, positions);
-    guardFound();
-    return !found_.empty();
-  };
-  for (int round = 0; find() && round < sweepRounds; ++round) {
+  for (int round = 0; find(inputs, search, workers, positions) && round < sweepRounds; ++round) {
     for (int sweep = 0; sweep < sweepsOfRound; ++sweep) {
       moveApart(inputs, positions);
     }
@@ -170,9 +173,36 @@ PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, 
     planned = guarded_.size();
     std::copy(wanted_.begin(), wanted_.end(), positions.begin());
     filter_.apply(planes_, inputs.inverseMass, bounds_, 1, fallbackOf, wanted_, positions);
-    find();
+    find(inputs, search, workers, positions);
   }
   return {static_cast<int>(found_.size()), touching_, violatedPlanes(inputs, positions)};
+}
+
+/// Moves the vertices of all pairs that are not separated back, until none is left or none moves: to their fallback
+/// positions, and if those are too close because bodies carry them, to their start.
+PairGuard::Result PairGuard::stop(const Inputs& inputs, PairSearch& search, Workers& workers,
+                                  std::span<Vec3> positions) {
+  for (const std::span<const Vec3> target : {inputs.fallback, inputs.start}) {
+    while (!found_.empty() && moveBackFound(inputs, target, positions)) {
+      find(inputs, search, workers, positions);
+    }
+  }
+  return {static_cast<int>(found_.size()), touching_, violatedPlanes(inputs, positions)};
+}
+
+/// Moves the free vertices of the pairs that were found to their targets.
+/// @returns whether one moved
+bool PairGuard::moveBackFound(const Inputs& inputs, std::span<const Vec3> target, std::span<Vec3> positions) const {
+  bool moved = false;
+  for (const Guarded& pair : found_) {
+    for (const int v : pair.vertices.all) {
+      if (inputs.inverseMass[v] > 0.0 && positions[v] != target[v]) {
+        positions[v] = target[v];
+        moved = true;
+      }
+    }
+  }
+  return moved;
 }
 
 /// Guards equal parts of the motion, one after the other. In a short part, pins and bodies move less than the pairs are
@@ -198,7 +228,10 @@ PairGuard::Result PairGuard::applyInParts(const Inputs& inputs, int parts, PairS
     part.start = partStart_;
     part.fallback = partFallback_;
     part.bodyPlanes = partPlanes_;
-    const Result ofPart = applyAtOnce(part, maxSweepRoundsOfPart, search, workers, positions);
+    Result ofPart = applyAtOnce(part, maxSweepRoundsOfPart, search, workers, positions);
+    if (ofPart.crossings > 0 && parts == partsOfMotion.back()) {
+      ofPart = stop(part, search, workers, positions);
+    }
     result.crossings += ofPart.crossings;
     result.touching = std::max(result.touching, ofPart.touching);
     result.insideBodies = ofPart.insideBodies;

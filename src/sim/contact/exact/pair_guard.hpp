@@ -22,6 +22,8 @@ namespace drape::sim::contact {
 ///    is projected onto its planes, or moves back towards its fallback position. Other pairs that this violates get
 ///    planes too. If the fallback positions satisfy all planes and no pin violates one, all pairs are separated.
 /// 3. If pairs remain, because pins or bodies move far, the motion is divided into parts, and each part is guarded.
+/// 4. If pairs remain in a part, their vertices move back to their fallback positions or to their start, as do those of
+///    other pairs that this violates. Only pairs that a pin moves into each other remain.
 class PairGuard {
  public:
   struct Inputs {
@@ -59,6 +61,9 @@ class PairGuard {
   Result applyInParts(const Inputs& inputs, int parts, PairSearch& search, Workers& workers, std::span<Vec3> positions);
   void findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers, std::span<const Vec3> positions);
   void guardFound();
+  bool find(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<const Vec3> positions);
+  bool moveBackFound(const Inputs& inputs, std::span<const Vec3> target, std::span<Vec3> positions) const;
+  Result stop(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
   void moveApart(const Inputs& inputs, std::span<Vec3> positions) const;
   void addPlanes(const Inputs& inputs, std::size_t first);
 

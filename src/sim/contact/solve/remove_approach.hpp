@@ -16,4 +16,10 @@ namespace drape::sim::contact {
 void removeApproach(const std::vector<Vec3>& before, const std::function<Vec3(std::size_t vertex)>& obstacleVelocity,
                     std::optional<double> spread, ClothState& state);
 
+/// Limits the velocity of vertices against the direction in which they were moved to that of their motion in the step.
+/// @param before positions of the vertices before they were moved to those of `state` [m]
+/// @param start positions at the start of the step [m]
+/// @param timeStep of the step [s]
+void limitApproach(const std::vector<Vec3>& before, const std::vector<Vec3>& start, double timeStep, ClothState& state);
+
 }  // namespace drape::sim::contact

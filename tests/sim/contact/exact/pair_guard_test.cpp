@@ -63,6 +63,47 @@ TEST(PairGuard, letsNoTrianglesOfARandomSoupIntersect) {
   EXPECT_GT(moved, 10);
 }
 
+/// Triangles on top of each other, 2 mm apart.
+ClothMesh triangleStack(int count) {
+  ClothMesh mesh;
+  for (int t = 0; t < count; ++t) {
+    const double height = 0.002 * t;
+    mesh.positions.insert(mesh.positions.end(), {{0.0, height, 0.0}, {0.1, height, 0.0}, {0.0, height, 0.1}});
+    mesh.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+  }
+  return mesh;
+}
+
+TEST(PairGuard, leavesOnlyPairsOfPinsThatAreDrivenIntoTheCloth) {
+  constexpr int count = 40;
+  const auto model = buildClothModel(triangleStack(count), 1.0, MassLumping::Uniform, {});
+  const std::vector<Vec3>& start = model->restPositions;
+  std::vector<double> inverseMass(start.size(), 1.0);
+  std::vector<Vec3> end = start;
+  for (std::size_t v = start.size() - 3; v < start.size(); ++v) {
+    inverseMass[v] = 0.0;
+    inverseMass[v - start.size() + 3] = 0.0;
+    end[v].y() = 0.004;  // the layers between need more
+  }
+  const std::vector<Vec3> fallback = end;
+  PairSearch search;
+  PairGuard guard;
+  Workers workers;
+  const PairGuard::Result result = guard.apply({.model = *model,
+                                                .inverseMass = inverseMass,
+                                                .start = start,
+                                                .fallback = fallback,
+                                                .bodyPlanes = {},
+                                                .entangled = {},
+                                                .patches = nullptr,
+                                                .thickness = 0.004},
+                                               search, workers, end);
+  EXPECT_GT(result.crossings, 0);
+  for (const auto& [first, second] : intersection::intersectingPairs({end, model->triangles})) {
+    EXPECT_TRUE(first == 0 || first == count - 1 || second == 0 || second == count - 1) << first << ", " << second;
+  }
+}
+
 TEST(PairSearch, listsAllPairsWithinReachOnTheWholeWay) {
   std::mt19937 random(7);
   const auto model = buildClothModel(triangleSoup(90, random), 1.0, MassLumping::Uniform, {});
