@@ -1,10 +1,9 @@
 // Tests of the section Export: frames, motions and films from the window.
+#include "film_probe.hpp"
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -21,22 +20,6 @@ std::string bytesOf(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
-}
-
-/// What ffprobe tells about a film: "width,height,rate,frames".
-std::string probe(const std::filesystem::path& film) {
-  const std::string command =
-      "ffprobe -v error -count_frames -select_streams v:0 -show_entries "
-      "stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 '" +
-      film.string() + "' 2>&1";
-  std::string answer;
-  FILE* pipe = popen(command.c_str(), "r");
-  std::array<char, 256> buffer{};
-  while (pipe != nullptr && std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
-    answer += buffer.data();
-  }
-  pclose(pipe);
-  return answer.substr(0, answer.find_first_of("\r\n"));
 }
 
 /// Opens the section and chooses the contents: "frame", "motion" or "film".
@@ -122,7 +105,7 @@ TEST(ExportFromTheWindow, AFilmHasTheSizeTheRateAndThePicturesThatWereChosen) {
   choose(viewer, "export.size", "640x360");
   startExport(viewer);
   viewer.waitUntil("the film", [](const Json& s) { return isOver(s, "grid-001.mp4: 11 frames"); });
-  EXPECT_EQ(probe(viewer.folder() / "grid-001.mp4"), "640,360,25/1,11");
+  EXPECT_EQ(render::probeFilm(viewer.folder() / "grid-001.mp4"), "640,360,25/1,11");
   choose(viewer, "export.format", "film.png");
   startExport(viewer);
   viewer.waitUntil("the pictures", [](const Json& s) { return isOver(s, "frame_{frame:4}.png: 11 frames"); });

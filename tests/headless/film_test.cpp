@@ -1,28 +1,11 @@
+#include "film_probe.hpp"
 #include "program.hpp"
 
 #include <gtest/gtest.h>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 
 namespace drape::app::testing {
 namespace {
-
-/// What ffprobe tells about a film: "width,height,rate,frames".
-std::string probe(const std::filesystem::path& film) {
-  const std::string command =
-      "ffprobe -v error -count_frames -select_streams v:0 -show_entries "
-      "stream=width,height,r_frame_rate,nb_read_frames -of csv=p=0 '" +
-      film.string() + "' 2>&1";
-  std::string answer;
-  FILE* pipe = popen(command.c_str(), "r");
-  std::array<char, 256> buffer{};
-  while (pipe != nullptr && std::fgets(buffer.data(), buffer.size(), pipe) != nullptr) {
-    answer += buffer.data();
-  }
-  pclose(pipe);
-  return answer.substr(0, answer.find_first_of("\r\n"));
-}
 
 class Film : public ::testing::Test {
  protected:
@@ -39,10 +22,10 @@ TEST_F(Film, hasThePicturesTheSizeAndTheRateThatWereAskedFor) {
   for (const char* name : {"a.mp4", "a.webm"}) {
     const Outcome outcome = headless(start + (folder / name).string());
     ASSERT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_EQ(probe(folder / name), "162,122,25/1,7") << name;
+    EXPECT_EQ(render::probeFilm(folder / name), "162,122,25/1,7") << name;
   }
   ASSERT_EQ(headless(start + (folder / "a.gif").string()).status, 0);
-  EXPECT_EQ(probe(folder / "a.gif"), "161,121,25/1,7");
+  EXPECT_EQ(render::probeFilm(folder / "a.gif"), "161,121,25/1,7");
   EXPECT_FALSE(std::filesystem::exists(folder / "a.mp4.part.mp4"));
 }
 
@@ -54,7 +37,7 @@ TEST_F(Film, playsAfterCtrlC) {
                               (folder / "a.mp4").string() + " >/dev/null 2>" + (folder / "errors").string();
   (void)std::system(command.c_str());
   EXPECT_NE(readFile(folder / "errors").find("stopped by a signal after"), std::string::npos);
-  const std::string answer = probe(folder / "a.mp4");
+  const std::string answer = render::probeFilm(folder / "a.mp4");
   EXPECT_EQ(answer.rfind("64,48,30/1,", 0), 0U) << answer;
   EXPECT_GT(std::stoi(answer.substr(answer.rfind(',') + 1)), 0);
 }

@@ -245,7 +245,7 @@ void MeshSearch::useKnownDistances(std::span<const int> triangles, NearbyLeaves&
 /// Finds contacts of the edges and faces of a cluster's triangles that could be close enough. Updates their distances.
 void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
                                  const ContactOffsets& offsets, SharpFeatureSearch& sharp) {
-  nearby.distances.resize(triangles.size(), -infinity);
+  useKnownDistances(triangles, nearby);
   if (nearby.leaves.empty()) {
     const double near = listedRatio * offsets.contactOffset;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -259,7 +259,6 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
   };
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const int t = triangles[i];
-    distances_[t] = nearby.distances[i] - nearby.moved;
     if (distances_[t] >= closeDistance(offsets) || penetrating_[t]) {
       continue;
     }

@@ -178,8 +178,8 @@ PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, 
   return {static_cast<int>(found_.size()), touching_, violatedPlanes(inputs, positions)};
 }
 
-/// Moves the vertices of all pairs that are not separated back, until none is left or none moves: to their fallback
-/// positions, and if those are too close because bodies carry them, to their start.
+/// Moves the vertices of pairs that are not separated back to their fallback positions. If pairs remain, because bodies
+/// carry fallback positions too close to each other, it moves their vertices back to their start.
 PairGuard::Result PairGuard::stop(const Inputs& inputs, PairSearch& search, Workers& workers,
                                   std::span<Vec3> positions) {
   for (const std::span<const Vec3> target : {inputs.fallback, inputs.start}) {

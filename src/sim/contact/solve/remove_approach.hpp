@@ -16,7 +16,8 @@ namespace drape::sim::contact {
 void removeApproach(const std::vector<Vec3>& before, const std::function<Vec3(std::size_t vertex)>& obstacleVelocity,
                     std::optional<double> spread, ClothState& state);
 
-/// Limits the velocity of vertices against the direction in which they were moved to that of their motion in the step.
+/// Limits the velocity of vertices in the direction opposite to their displacement from `before`. The limit is the mean
+/// velocity of the step in that direction.
 /// @param before positions of the vertices before they were moved to those of `state` [m]
 /// @param start positions at the start of the step [m]
 /// @param timeStep of the step [s]
