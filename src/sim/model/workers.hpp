@@ -19,6 +19,10 @@ class Workers {
   /// on the calling thread.
   void forRange(int threads, int count, const std::function<void(int begin, int end)>& body);
 
+  /// The same for loops whose indices take microseconds, and not all the same time: from fewer indices on, and in more
+  /// ranges than threads.
+  void forUnevenRange(int threads, int count, const std::function<void(int begin, int end)>& body);
+
   /// Calls visit(i) for every index i from 0 to count - 1.
   template <typename Visit>
   void forEach(int threads, std::size_t count, Visit&& visit) {
@@ -31,6 +35,8 @@ class Workers {
 
  private:
   struct Arena;
+  Arena& arenaOf(int threads);
+
   std::unique_ptr<Arena> arena_;
 };
 

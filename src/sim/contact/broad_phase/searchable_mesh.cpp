@@ -4,6 +4,7 @@
 #include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -63,13 +64,16 @@ MeshShape facingOutwards(MeshShape mesh) {
   return mesh;
 }
 
-void fill(LeafLanes& lanes, std::span<const int> vertices, std::span<const Vec3> positions) {
-  lanes.x.resize(vertices.size());
-  lanes.y.resize(vertices.size());
-  lanes.z.resize(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec3 position = vertices[i] >= 0 ? vectorAt(positions, vertices[i])
-                                           : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
+/// @param vertexOf the vertex of a lane, or -1 for one at infinity
+template <typename VertexOf>
+void fill(LeafLanes& lanes, std::size_t count, VertexOf&& vertexOf, std::span<const Vec3> positions) {
+  lanes.x.resize(count);
+  lanes.y.resize(count);
+  lanes.z.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const int vertex = vertexOf(i);
+    const Vec3 position =
+        vertex >= 0 ? vectorAt(positions, vertex) : Vec3(Vec3::Constant(std::numeric_limits<double>::infinity()));
     lanes.x[i] = position.x();
     lanes.y[i] = position.y();
     lanes.z[i] = position.z();
@@ -85,9 +89,14 @@ SearchableMesh::SearchableMesh(MeshShape mesh)
       owned(ownedFeatures(shape.triangles, shape.positions.size())),
       sharp(sharpSides(shape)) {
   gatherLeaves();
-  fill(start_, leafVertices_, shape.positions);
-  fillEdges(shape.positions, startEdges_);
-  fillBoxes(shape.positions, startBoxes_);
+  fill(shape.positions, start_);
+}
+
+void SearchableMesh::fill(std::span<const Vec3> positions, Geometry& geometry) const {
+  contact::fill(
+      geometry.points, leafVertices_.size(), [&](std::size_t i) { return leafVertices_[i]; }, positions);
+  fillEdges(positions, geometry.edges);
+  fillBoxes(positions, geometry.boxes);
 }
 
 void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const {
@@ -113,11 +122,10 @@ void SearchableMesh::fillBoxes(std::span<const Vec3> positions, std::vector<Tria
 }
 
 void SearchableMesh::fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const {
-  std::vector<int> ends(leafEdges_.size());
-  for (const std::size_t end : {0U, 1U}) {
-    std::transform(leafEdges_.begin(), leafEdges_.end(), ends.begin(), [&](const auto& edge) { return edge[end]; });
-    fill(end == 0 ? edges.from : edges.to, ends, positions);
-  }
+  contact::fill(
+      edges.from, leafEdges_.size(), [&](std::size_t i) { return leafEdges_[i][0]; }, positions);
+  contact::fill(
+      edges.to, leafEdges_.size(), [&](std::size_t i) { return leafEdges_[i][1]; }, positions);
 }
 
 void SearchableMesh::gatherLeaves() {
@@ -175,24 +183,36 @@ void SearchableMesh::gatherEdges(std::span<const int> triangles) {
 }
 
 void SearchableMesh::follow(std::span<const Vec3> before, std::span<const Vec3> after) {
+  if (std::ranges::equal(after, after_) && std::ranges::equal(before, before_)) {
+    return;
+  }
+  ++version_;
+  if (std::ranges::equal(before, after_)) {
+    std::swap(start_, end_);
+  } else {
+    fill(before, start_);
+  }
+  fill(after, end_);
+  before_.assign(before.begin(), before.end());
+  after_.assign(after.begin(), after.end());
   tree.refit(before, after, shape.triangles);
-  fill(start_, leafVertices_, before);
-  fill(end_, leafVertices_, after);
-  fillEdges(before, startEdges_);
-  fillEdges(after, endEdges_);
-  fillBoxes(before, startBoxes_);
-  fillBoxes(after, endBoxes_);
+  measureMoves();
+}
+
+void SearchableMesh::measureMoves() {
   moves_.assign(tree.leafCount(), 0.0);
   for (std::size_t leaf = 0; leaf < moves_.size(); ++leaf) {
+    double largest = 0.0;  // squared
     for (std::size_t i = vertexBegin_[leaf]; i < vertexBegin_[leaf + 1]; ++i) {
       const int v = leafVertices_[i];
-      moves_[leaf] = std::max(moves_[leaf], (vectorAt(after, v) - vectorAt(before, v)).norm());
+      largest = std::max(largest, (after_[v] - before_[v]).squaredNorm());
     }
+    moves_[leaf] = std::sqrt(largest);
   }
 }
 
 int SearchableMesh::supportVertex(const Vec3& direction, std::size_t leaf, bool atEnd) const {
-  const LeafLanes& at = lanes(atEnd);
+  const LeafLanes& at = geometry(atEnd).points;
   double maxHeight = -std::numeric_limits<double>::infinity();
   std::size_t index = vertexBegin_[leaf];
   for (std::size_t i = vertexBegin_[leaf]; i < vertexBegin_[leaf + 1]; ++i) {

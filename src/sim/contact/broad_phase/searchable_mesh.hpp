@@ -31,8 +31,12 @@ class SearchableMesh {
  public:
   explicit SearchableMesh(MeshShape mesh);
 
-  /// Updates a deforming mesh to its vertices at the start and at the end of the step [m].
+  /// Updates a deforming mesh to its vertices at the start and at the end of the step [m]. Does nothing if they are
+  /// those of the last call.
   void follow(std::span<const Vec3> before, std::span<const Vec3> after);
+
+  /// A number that changes when the vertices of a deforming mesh change.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
 
   [[nodiscard]] bool isDeforming() const { return shape.deforms(); }
 
@@ -40,27 +44,25 @@ class SearchableMesh {
   /// @return their union
   Extent extentsAlong(const Vec3& direction, const std::vector<std::int32_t>& leaves, bool atEnd,
                       std::vector<Extent>& extents) const {
-    return drape::sim::contact::extentsAlong(lanes(atEnd), vertexBegin_, leaves, direction, extents);
+    return drape::sim::contact::extentsAlong(geometry(atEnd).points, vertexBegin_, leaves, direction, extents);
   }
 
   /// The support point of some leaves of the tree along a unit vector.
   [[nodiscard]] SupportPoint supportPoint(const Vec3& direction, const std::vector<std::int32_t>& leaves,
                                           bool atEnd) const {
-    const LeafLanes& at = lanes(atEnd);
+    const LeafLanes& at = geometry(atEnd).points;
     const SupportIndex far = drape::sim::contact::supportAlong(at, vertexBegin_, leaves, direction);
     return {far.height, Vec3(at.x[far.at], at.y[far.at], at.z[far.at])};
   }
 
   /// The bounding boxes of the triangles of each leaf; triangle i of the leaf is in lane i.
-  [[nodiscard]] const std::vector<TriangleBoxes>& triangleBoxes(bool atEnd) const {
-    return atEnd && isDeforming() ? endBoxes_ : startBoxes_;
-  }
+  [[nodiscard]] const std::vector<TriangleBoxes>& triangleBoxes(bool atEnd) const { return geometry(atEnd).boxes; }
 
   /// The features of some leaves in a region.
   void featuresIn(const FaceRegion& region, const std::vector<std::int32_t>& leaves, bool atEnd,
                   std::vector<InRegion>& found) const {
-    const bool end = atEnd && isDeforming();
-    inRegion(lanes(atEnd), vertexBegin_, end ? endEdges_ : startEdges_, edgeBegin_, leaves, region, found);
+    const Geometry& at = geometry(atEnd);
+    inRegion(at.points, vertexBegin_, at.edges, edgeBegin_, leaves, region, found);
   }
 
   /// Calls visit(feature, is an edge) for the points and edges found in a leaf that the leaf owns: triangle by
@@ -96,25 +98,34 @@ class SearchableMesh {
   std::vector<std::array<bool, 3>> sharp;  ///< per triangle: which of its sides are sharp
 
  private:
+  /// What a search reads, at the start or at the end of the step, by leaf.
+  struct Geometry {
+    LeafLanes points;
+    EdgeLanes edges;
+    std::vector<TriangleBoxes> boxes;
+  };
+
   void gatherLeaves();
   void gatherPoints(std::span<const int> triangles);
   void gatherEdges(std::span<const int> triangles);
+  void fill(std::span<const Vec3> positions, Geometry& geometry) const;
   void fillEdges(std::span<const Vec3> positions, EdgeLanes& edges) const;
   void fillBoxes(std::span<const Vec3> positions, std::vector<TriangleBoxes>& boxes) const;
-  [[nodiscard]] const LeafLanes& lanes(bool atEnd) const { return atEnd && isDeforming() ? end_ : start_; }
+  void measureMoves();
+  [[nodiscard]] const Geometry& geometry(bool atEnd) const { return atEnd && isDeforming() ? end_ : start_; }
 
   std::vector<int> leafVertices_;         // by leaf, padded by the last one to whole vectors
   std::vector<std::size_t> vertexBegin_;  // of each leaf in leafVertices_
   std::vector<MeshFeature>
       vertexFeatures_;                    // of the same size; valid for vertices that the leaf owns, which come first
   std::vector<std::uint32_t> ownPoints_;  // number of vertices that each leaf owns
-  LeafLanes start_, end_;
   std::vector<std::array<int, 2>> leafEdges_;  // by leaf, padded by -1 to whole vectors
   std::vector<std::size_t> edgeBegin_;         // of each leaf in leafEdges_
   std::vector<MeshFeature> edgeFeatures_;      // of the same size as leafEdges_
-  EdgeLanes startEdges_, endEdges_;
-  std::vector<TriangleBoxes> startBoxes_, endBoxes_;
-  std::vector<double> moves_;
+  std::vector<Vec3> before_, after_;           // of the last call of follow [m]
+  Geometry start_, end_;                       // end_ only for a deforming mesh
+  std::vector<double> moves_;                  // by leaf [m]
+  std::uint64_t version_ = 0;
 };
 
 }  // namespace drape::sim::contact

@@ -15,7 +15,7 @@ template <typename Found, typename Visit>
 [[nodiscard]] std::vector<Found> collectInOrder(Workers& workers, int threads, int count, Visit&& visit) {
   std::mutex mutex;
   std::vector<std::pair<int, Found>> parts;
-  workers.forRange(threads, count, [&](int begin, int end) {
+  workers.forUnevenRange(threads, count, [&](int begin, int end) {
     Found found;
     visit(begin, end, found);
     const std::lock_guard lock(mutex);

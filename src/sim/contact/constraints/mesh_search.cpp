@@ -117,16 +117,17 @@ class MeshSearch::ClusterSearch {
     }
   }
 
-  /// The distance up to which the closest point to a vertex matters [m].
+  /// The distance up to which the closest point to a vertex is searched [m]. Farther away it does not matter.
   [[nodiscard]] double radiusOf(int vertex) const {
-    return cloth_.displacementBounds[vertex] - builder_.offsets().contactOffset;
+    const double radius = cloth_.displacementBounds[vertex] - builder_.offsets().contactOffset;
+    return isAmongNearbyLeaves() ? std::max(radius, radius_) : radius;
   }
 
   /// The closest point of the mesh to a vertex, within its displacement.
   NearestMeshPoint nearestTo(int vertex, const NearbyLeaves& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.start, vertex);
     const double radius = radiusOf(vertex);
-    if (mesh_.mesh.isDeforming() || cloth_.overlap != nullptr) {
+    if (isAmongNearbyLeaves()) {
       NearestMeshPoint found = nearest_.among(nearby.leaves, nearby.boxes, point, radius_);
       return found.triangle < 0 && radius > radius_ ? nearest_.anywhere(point, radius) : found;
     }
@@ -153,6 +154,9 @@ class MeshSearch::ClusterSearch {
   }
 
  private:
+  /// Whether the nearby leaves are searched first, up to `radius_`, and no result is cached for other positions.
+  [[nodiscard]] bool isAmongNearbyLeaves() const { return mesh_.mesh.isDeforming() || cloth_.overlap != nullptr; }
+
   const ConstraintBuilder& builder_;
   const MeshInStep& mesh_;
   const ClothInBody& cloth_;
@@ -163,15 +167,16 @@ class MeshSearch::ClusterSearch {
 /// Whether the last search started from the same positions, so that its results are still valid. The contacts at the
 /// end of a step are searched from where those for its substeps were.
 bool MeshSearch::isSearched(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth) {
-  const bool cached = !mesh.mesh.isDeforming() && cloth.overlap == nullptr;
+  const bool cached = !(mesh.mesh.isDeforming() && mesh.atEnd) && cloth.overlap == nullptr;
   const double offset = builder.offsets().contactOffset;
-  const bool searched = cached && searchedOffset_ == offset &&
+  const bool searched = cached && searchedOffset_ == offset && searchedVersion_ == mesh.mesh.version() &&
                         std::equal(searched_.begin(), searched_.end(), cloth.start.begin(), cloth.start.end());
   if (!searched) {
     // Only a list is followed by another search from the same positions.
     const bool isList = cached && builder.offsets().listMargin > 0.0;
     searched_.assign(isList ? cloth.start.begin() : cloth.start.end(), cloth.start.end());
     searchedOffset_ = offset;
+    searchedVersion_ = mesh.mesh.version();
   }
   return searched;
 }
@@ -221,12 +226,17 @@ void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, cons
   }
   outwards_.resize(cloth.triangles.size(), Vec3::Zero());
   features_.resize(cloth.triangles.size());
+  if (!samePositions_ && mesh.mesh.isDeforming()) {
+    for (NearbyFeatures& memory : features_) {
+      memory.validRadius = -1.0;
+    }
+  }
   const double close = closeDistance(builder.offsets());
   const auto parts = inParts<int>(
       clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
         SharpFeatureSearch sharp(builder, mesh, cloth, nearest_, close, builder.offsets().contactOffset, part.found);
         for (std::size_t c = first; c < last; ++c) {
-          searchTriangles(cloth, clusters.triangles(c), nearby_[c], builder.offsets(), sharp);
+          searchTriangles(mesh, cloth, clusters.triangles(c), nearby_[c], builder.offsets(), sharp);
         }
       });
   for (const auto& part : parts) {
@@ -243,8 +253,8 @@ void MeshSearch::useKnownDistances(std::span<const int> triangles, NearbyLeaves&
 }
 
 /// Finds contacts of the edges and faces of a cluster's triangles that could be close enough. Updates their distances.
-void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
-                                 const ContactOffsets& offsets, SharpFeatureSearch& sharp) {
+void MeshSearch::searchTriangles(const MeshInStep& mesh, const ClothInBody& cloth, std::span<const int> triangles,
+                                 NearbyLeaves& nearby, const ContactOffsets& offsets, SharpFeatureSearch& sharp) {
   useKnownDistances(triangles, nearby);
   if (nearby.leaves.empty()) {
     const double near = listedRatio * offsets.contactOffset;
@@ -267,7 +277,7 @@ void MeshSearch::searchTriangles(const ClothInBody& cloth, std::span<const int> 
                                                squaredDisplacement(corners[2])})) +
                            rounding + offsets.listMargin;
     const double atLeast = samePositions_ ? std::max(distances_[t], featureGaps_[t]) : distances_[t];
-    if (atLeast >= offsets.edgeOffset + longest) {
+    if (!mesh.moves() && atLeast >= offsets.edgeOffset + longest) {
       continue;  // it stays too far away
     }
     distances_[t] =

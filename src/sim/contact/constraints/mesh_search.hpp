@@ -20,7 +20,8 @@ namespace drape::sim::contact {
 /// On rigid meshes results are cached while a cluster hardly moves in the body's frame. Cached lists of leaves cover a
 /// larger region and are filtered when used. Cached distances are reduced by the displacement since then: they are
 /// lower bounds. A triangle that stays clear of the mesh by them gets no plane, unless a plane of another triangle
-/// moves its vertices; then its planes are requested. So results do not depend on when something was cached.
+/// moves its vertices; then its planes are requested. On deforming meshes only a search for a list is cached, for the
+/// next search from the same positions. So results do not depend on when something was cached.
 class MeshSearch {
  public:
   /// Starts a pass: forgets which triangles pierced the mesh.
@@ -77,8 +78,8 @@ class MeshSearch {
   class ClusterSearch;
   [[nodiscard]] bool isSearched(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth);
   void useKnownDistances(std::span<const int> triangles, NearbyLeaves& nearby);
-  void searchTriangles(const ClothInBody& cloth, std::span<const int> triangles, NearbyLeaves& nearby,
-                       const ContactOffsets& offsets, SharpFeatureSearch& sharp);
+  void searchTriangles(const MeshInStep& mesh, const ClothInBody& cloth, std::span<const int> triangles,
+                       NearbyLeaves& nearby, const ContactOffsets& offsets, SharpFeatureSearch& sharp);
   void markPenetrating(const ClothInBody& cloth);
   void addVertexContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                          Candidates& candidates) const;
@@ -106,6 +107,7 @@ class MeshSearch {
   std::vector<double> distances_;          // per triangle: lower bound to the mesh at the start of the pass [m]
   std::vector<Vec3> searched_;             // start positions of the last search of the vertices [m]
   double searchedOffset_ = 0.0;            // its contact offset [m]
+  std::uint64_t searchedVersion_ = 0;      // of the mesh in it
   std::vector<double> searchedRadius_;     // per vertex: the distance up to which it searched [m]
   bool samePositions_ = false;             // as in the search before
   std::vector<double> featureGaps_;       // per triangle: lower bound of the distance to features of the mesh there [m]

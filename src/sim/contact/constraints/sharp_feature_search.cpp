@@ -75,7 +75,7 @@ double SharpFeatureSearch::search(int t, const std::vector<int>& leaves, const B
   const bool rigid = !mesh_.mesh.isDeforming();
   const double wanted = rigid ? std::min(close_, offsets.edgeOffset + maxDisplacement) : close_;
   double distance = 0.0;
-  if (rigid && useMemory(memory, wanted, distance)) {
+  if (useMemory(memory, wanted, distance)) {
     return distance;
   }
   // A memory for more than this step pays only if the triangle moves so little that it stays valid.

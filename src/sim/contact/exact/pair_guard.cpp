@@ -164,15 +164,13 @@ PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, 
   wanted_.assign(positions.begin(), positions.end());
   bounds_.assign(positions.size(), std::numeric_limits<double>::infinity());
   planes_.assign(inputs.bodyPlanes.begin(), inputs.bodyPlanes.end());
-  const auto fallbackOf = [&](int, int vertex) {
-    return SeparatingPlaneFilter::Fallback{inputs.fallback[vertex], inputs.fallback[vertex]};
-  };
+  const auto fallbackOf = [&](int, int vertex) { return inputs.fallback[vertex]; };
   std::size_t planned = 0;
   for (int round = 0; round < maxPlaneRounds && !found_.empty() && planned < guarded_.size(); ++round) {
     addPlanes(inputs, planned);
     planned = guarded_.size();
     std::copy(wanted_.begin(), wanted_.end(), positions.begin());
-    filter_.apply(planes_, inputs.inverseMass, bounds_, 1, fallbackOf, wanted_, positions);
+    filter_.apply(planes_, inputs.inverseMass, bounds_, 1, {fallbackOf, fallbackOf}, wanted_, positions);
     find(inputs, search, workers, positions);
   }
   return {static_cast<int>(found_.size()), touching_, violatedPlanes(inputs, positions)};

@@ -63,37 +63,39 @@ struct Vertex {
 /// position; the one with the maximum slack is used. If it violates planes, a projection from there may find a feasible
 /// position.
 /// @return whether the vertex is feasible
-bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, Vec3& position) {
+bool retreat(const Vertex& vertex, const SeparatingPlaneFilter::Fallback& fallback, Vec3& position) {
   double best = -std::numeric_limits<double>::infinity();
-  SeparatingPlaneFilter::Fallback from{position, position};
+  Vec3 start = position;
+  Vec3 from = position;
   for (int body = 0; body < vertex.bodies; ++body) {
-    const SeparatingPlaneFilter::Fallback fallback = fallbackOf(body, vertex.index);
-    const double minimum = minSlack(vertex.planes, fallback.position);
+    const Vec3 carried = fallback.carried(body, vertex.index);
+    const double minimum = minSlack(vertex.planes, carried);
     if (minimum > best) {
       best = minimum;
-      from = fallback;
+      start = fallback.start(body, vertex.index);
+      from = carried;
     }
   }
   if (best < -planeTolerance) {
-    Vec3 found = from.position;
+    Vec3 found = from;
     project(vertex.planes, maxFallbackProjections, found);
-    if (minSlack(vertex.planes, found) >= -planeTolerance && (found - from.start).norm() <= vertex.displacementBound) {
+    if (minSlack(vertex.planes, found) >= -planeTolerance && (found - start).norm() <= vertex.displacementBound) {
       position = found;
       return true;
     }
   }
-  const double distance = (position - from.position).norm();
-  const double remaining = std::max(0.0, vertex.displacementBound - (from.position - from.start).norm());
-  const double fraction = std::min(feasibleFraction(vertex.planes, from.position, position),
-                                   distance > remaining ? remaining / distance : 1.0);
-  position = from.position + fraction * (position - from.position);
+  const double distance = (position - from).norm();
+  const double remaining = std::max(0.0, vertex.displacementBound - (from - start).norm());
+  const double fraction =
+      std::min(feasibleFraction(vertex.planes, from, position), distance > remaining ? remaining / distance : 1.0);
+  position = from + fraction * (position - from);
   return best >= -planeTolerance;
 }
 
 /// Whether a vertex exceeds its displacement bound.
-bool hasLeft(const Vertex& vertex, const SeparatingPlaneFilter::FallbackOf& fallbackOf, const Vec3& position) {
+bool hasLeft(const Vertex& vertex, const SeparatingPlaneFilter::PositionOf& startOf, const Vec3& position) {
   for (int body = 0; body < vertex.bodies; ++body) {
-    if ((position - fallbackOf(body, vertex.index).start).norm() > vertex.displacementBound + planeTolerance) {
+    if ((position - startOf(body, vertex.index)).norm() > vertex.displacementBound + planeTolerance) {
       return true;
     }
   }
@@ -119,7 +121,7 @@ void SeparatingPlaneFilter::sortByVertex(std::span<const SeparatingPlane> planes
 }
 
 int SeparatingPlaneFilter::apply(std::span<const SeparatingPlane> planes, std::span<const double> inverseMass,
-                                 std::span<const double> displacementBounds, int bodies, const FallbackOf& fallbackOf,
+                                 std::span<const double> displacementBounds, int bodies, const Fallback& fallback,
                                  std::span<const Vec3> predicted, std::span<Vec3> positions) {
   sortByVertex(planes, positions.size());
   int infeasible = 0;
@@ -132,8 +134,8 @@ int SeparatingPlaneFilter::apply(std::span<const SeparatingPlane> planes, std::s
       project(vertex.planes, maxProjections, positions[v]);
     }
     const bool crossed = minSlack(vertex.planes, positions[v]) < -planeTolerance;
-    if (crossed || (positions[v] != predicted[v] && hasLeft(vertex, fallbackOf, positions[v]))) {
-      infeasible += free && retreat(vertex, fallbackOf, positions[v]) ? 0 : 1;
+    if (crossed || (positions[v] != predicted[v] && hasLeft(vertex, fallback.start, positions[v]))) {
+      infeasible += free && retreat(vertex, fallback, positions[v]) ? 0 : 1;
     }
     maxCorrection_ = std::max(maxCorrection_, (positions[v] - before).norm());
   }

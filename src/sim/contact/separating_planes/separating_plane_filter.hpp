@@ -15,12 +15,14 @@ inline constexpr double planeTolerance = 1e-10;
 /// region that was searched.
 class SeparatingPlaneFilter {
  public:
-  /// Positions of a vertex outside a body, in the world frame at the end of the step.
+  /// A position of a vertex outside a body, in the world frame at the end of the step [m].
+  using PositionOf = std::function<Vec3(int body, int vertex)>;
+
+  /// Positions outside the bodies, from which vertices may start.
   struct Fallback {
-    Vec3 start = Vec3::Zero();     ///< start of the pass; displacement bounds are measured from here [m]
-    Vec3 position = Vec3::Zero();  ///< the same, moved along with the closest point of a deforming body [m]
+    PositionOf start;    ///< start of the pass; displacement bounds are measured from here
+    PositionOf carried;  ///< the same, moved along with the closest point of a deforming body
   };
-  using FallbackOf = std::function<Fallback(int body, int vertex)>;
 
   /// Changes `positions`. A vertex without a position that satisfies all its planes gets the one that violates them
   /// least.
@@ -29,7 +31,7 @@ class SeparatingPlaneFilter {
   /// @param predicted positions before contact; a vertex that is still there is within the region that was searched
   /// @return number of infeasible vertices
   int apply(std::span<const SeparatingPlane> planes, std::span<const double> inverseMass,
-            std::span<const double> displacementBounds, int bodies, const FallbackOf& fallbackOf,
+            std::span<const double> displacementBounds, int bodies, const Fallback& fallback,
             std::span<const Vec3> predicted, std::span<Vec3> positions);
 
   /// The maximum displacement of a vertex by the last call [m].

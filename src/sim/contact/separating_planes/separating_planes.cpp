@@ -74,18 +74,22 @@ bool SeparatingPlanes::requestAroundMoved(const ContactPass& pass, bool all, con
 
 int SeparatingPlanes::apply(const ContactPass& pass, const ClothFrames& frames, const BodyOverlaps& overlaps,
                             std::vector<Vec3>& positions) {
-  const auto fallbackOf = [&](int index, int vertex) {
+  const auto startOf = [&](int index, int vertex) {
+    const NearBody& body = pass.bodies[index];
+    return body.step->end.toWorld(frames.startIn(body)[vertex]);
+  };
+  const auto carriedOf = [&](int index, int vertex) {
     const NearBody& body = pass.bodies[index];
     const Vec3& start = frames.startIn(body)[vertex];
-    const bool carried = !pass.atEnd() && body.mesh != nullptr && body.mesh->isDeforming();
-    const Vec3 move = carried ? nearestDisplacement(body.meshInStep(false), start) : Vec3(Vec3::Zero());
-    return SeparatingPlaneFilter::Fallback{body.step->end.toWorld(start), body.step->end.toWorld(start + move)};
+    const bool moves = !pass.atEnd() && body.mesh != nullptr && body.mesh->isDeforming();
+    return body.step->end.toWorld(moves ? Vec3(start + nearestDisplacement(body.meshInStep(false), start)) : start);
   };
+  const SeparatingPlaneFilter::Fallback fallback{startOf, carriedOf};
   solved_ = positions;
   for (int attempt = 1;; ++attempt) {
     const int infeasible =
         filter_.apply(planes_, pass.cloth.inverseMass, frames.displacementBounds(),
-                      static_cast<int>(pass.bodies.size()), fallbackOf, pass.step.predicted, positions);
+                      static_cast<int>(pass.bodies.size()), fallback, pass.step.predicted, positions);
     if (!requestAroundMoved(pass, attempt >= maxPartialSearches, positions)) {
       return infeasible;
     }

@@ -117,12 +117,10 @@ struct Search {
     }
     const std::vector<double> inverseMass(positions.size(), 1.0);
     const MeshInStep inStep{*mesh, before, after, false};
-    const auto fallbackOf = [&](int, int v) {
-      const Vec3& from = start[v];
-      return SeparatingPlaneFilter::Fallback{from, from + meshSearch.bodyDisplacementAt(inStep, v)};
-    };
-    return SeparatingPlaneFilter().apply(candidates.planes, inverseMass, displacementBounds, 1, fallbackOf, start,
-                                         positions);
+    const auto startOf = [&](int, int v) { return start[v]; };
+    const auto carriedOf = [&](int, int v) { return Vec3(start[v] + meshSearch.bodyDisplacementAt(inStep, v)); };
+    return SeparatingPlaneFilter().apply(candidates.planes, inverseMass, displacementBounds, 1, {startOf, carriedOf},
+                                         start, positions);
   }
 
   RandomVectors random;
@@ -252,6 +250,43 @@ TEST(MeshSearch, findsTheSameContactsWithAndWithoutCachedData) {
     }
     EXPECT_GT(contacts, 20U);
   }
+}
+
+TEST(MeshSearch, findsTheSameContactsAfterAListOnADeformingMesh) {
+  MeshShape shape = hills(21);
+  shape.frames = {shape.positions, shape.positions};
+  Search cached(shape, 14, 3);
+  const auto moveMesh = [](Search& search, double phase) {
+    for (std::size_t v = 0; v < search.before.size(); ++v) {
+      const Vec3& rest = search.mesh->shape.positions[v];
+      search.before[v] = rest + Vec3(0.0, 0.002 * std::sin(8.0 * rest.x() + phase), 0.0);
+      search.after[v] = rest + Vec3(0.0, 0.002 * std::sin(8.0 * rest.x() + phase + 0.3), 0.0);
+    }
+    search.mesh->follow(search.before, search.after);
+  };
+  for (Vec3& position : cached.start) {
+    position.y() += 0.002;  // so that the mesh does not pierce it
+  }
+  std::size_t contacts = 0;
+  for (int i = 0; i < 12; ++i) {
+    // In every second step the cloth starts where it was, but the mesh does not.
+    for (Vec3& position : cached.start) {
+      position += i % 2 == 0 ? Vec3(0.0, 0.0, 0.0) : cached.random.next(0.0005);
+    }
+    moveMesh(cached, 2.0 * i);
+    cached.offsets.listMargin = 0.4 * cached.offsets.contactOffset;
+    cached.run(Vec3(0.0, -0.001, 0.0), 0.0005);
+    Search fresh(shape, 14, 3);
+    moveMesh(fresh, 2.0 * i);
+    fresh.start = cached.start;
+    fresh.random = cached.random;
+    cached.offsets.listMargin = 0.0;
+    cached.run(Vec3(0.0, -0.02, 0.0), 0.0005);
+    fresh.run(Vec3(0.0, -0.02, 0.0), 0.0005);
+    EXPECT_EQ(numbersOf(cached.candidates), numbersOf(fresh.candidates)) << "step " << i;
+    contacts += fresh.candidates.contacts.size();
+  }
+  EXPECT_GT(contacts, 20U);
 }
 
 TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {

@@ -5,7 +5,9 @@
 namespace drape::sim::contact {
 namespace {
 
-using Fallback = SeparatingPlaneFilter::Fallback;
+struct Fallback {
+  Vec3 start, carried;
+};
 
 /// Applies the filter to one vertex at `position`.
 int filter(const std::vector<SeparatingPlane>& planes, const Fallback& fallback, double bound, Vec3& position) {
@@ -14,7 +16,8 @@ int filter(const std::vector<SeparatingPlane>& planes, const Fallback& fallback,
   const std::vector<Vec3> predicted{fallback.start};
   std::vector<Vec3> positions{position};
   const int infeasible = SeparatingPlaneFilter().apply(
-      planes, inverseMass, bounds, 1, [&](int, int) { return fallback; }, predicted, positions);
+      planes, inverseMass, bounds, 1,
+      {[&](int, int) { return fallback.start; }, [&](int, int) { return fallback.carried; }}, predicted, positions);
   position = positions[0];
   return infeasible;
 }
