@@ -93,6 +93,10 @@ void SceneArguments::addTo(CLI::App& app) {
   app.add_option("scene", scene, "A built-in scene, a scene file (.toml) or a mesh file")
       ->type_name("SCENE|MESH")
       ->check(notEmpty());
+  addSettingsTo(app);
+}
+
+void SceneArguments::addSettingsTo(CLI::App& app) {
   app.add_option("--set", settings, "Set a setting; may be repeated ('drape-headless list settings' lists them)")
       ->type_name("KEY=VALUE")
       ->take_all()
@@ -121,8 +125,10 @@ std::shared_ptr<const scene::Scene> SceneArguments::load() const {
 }
 
 std::shared_ptr<const scene::Scene> SceneArguments::load(const settings::OwnFabrics& own) const {
-  const scene::SceneDescription description =
-      scene::openScene(scene.empty() ? scene::sceneList().front().name : scene, own);
+  return build(scene::openScene(scene.empty() ? scene::sceneList().front().name : scene, own));
+}
+
+std::shared_ptr<const scene::Scene> SceneArguments::build(const scene::SceneDescription& description) const {
   settings::Settings inForce = description.settings;
   if (adjust) {
     adjust(inForce);

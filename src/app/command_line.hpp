@@ -23,6 +23,8 @@ struct SceneArguments {
   std::function<void(settings::Settings&)> adjust = {};  ///< changes the scene's own settings before --set does
 
   void addTo(CLI::App& app);
+  /// Adds --set and --fabrics only, for a command with other names of the files.
+  void addSettingsTo(CLI::App& app);
 
   /// Opens and builds the scene. Warnings about the mesh go to standard error. Throws UsageError for a bad --set,
   /// InputError for a bad scene or mesh.
@@ -30,6 +32,8 @@ struct SceneArguments {
   [[nodiscard]] std::shared_ptr<const scene::Scene> load(const settings::OwnFabrics& own) const;
   /// The same with the fabrics of the list that `fabrics` names.
   [[nodiscard]] std::shared_ptr<const scene::Scene> load() const;
+  /// Builds a scene that is open already, with the settings. Throws as load().
+  [[nodiscard]] std::shared_ptr<const scene::Scene> build(const scene::SceneDescription& description) const;
 };
 
 /// Adds the option --fabrics FILE.

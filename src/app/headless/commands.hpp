@@ -12,6 +12,7 @@ void addMeasureCommand(CLI::App& app);
 void addHardCasesCommand(CLI::App& app);
 void addValidateCommand(CLI::App& app);
 void addUntangleCommand(CLI::App& app);
+void addDressCommand(CLI::App& app);
 void addSaveCommand(CLI::App& app);
 void addListCommand(CLI::App& app);
 

@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   drape::app::addHardCasesCommand(app);
   drape::app::addValidateCommand(app);
   drape::app::addUntangleCommand(app);
+  drape::app::addDressCommand(app);
   drape::app::addSaveCommand(app);
   drape::app::addListCommand(app);
   return drape::app::runProgram(app, argc, argv, [] {});

@@ -1,0 +1,125 @@
+#include "dressing/arm_bend.hpp"
+
+#include "dressing/heat_flow.hpp"
+#include "sim/model/bounds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace drape::dressing {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double largestTurn = 60.0 * degree;
+
+Vec3 centreOf(const Opening& opening, std::span<const Vec3> positions) {
+  Vec3 sum = Vec3::Zero();
+  for (const int vertex : opening.vertices) {
+    sum += positions[vertex];
+  }
+  return sum / static_cast<double>(opening.vertices.size());
+}
+
+/// Smooth weights of both arms.
+std::vector<Vec3> armWeights(const ShrinkingBody& body, const BodyParts& parts) {
+  const std::vector<Vec3>& full = body.frames().front();
+  std::vector<Vec3> weights(full.size(), Vec3::Zero());
+  for (std::size_t v = 0; v < full.size(); ++v) {
+    const BodyPart part = parts.ofVertex(static_cast<int>(v));
+    weights[v].x() = part == BodyPart::LeftArm ? 1.0 : 0.0;
+    weights[v].y() = part == BodyPart::RightArm ? 1.0 : 0.0;
+  }
+  constexpr double blend = 0.02;  // of the body's largest side
+  const double width = blend * sim::boundsOf(full).sizes().maxCoeff();
+  HeatFlow flow({full, body.triangles()});
+  flow.setTimeStep(width * width);
+  return flow.advance(weights);
+}
+
+}  // namespace
+
+ArmBend::ArmBend(const ShrinkingBody& body, const BodyParts& parts) : body_(body), parts_(parts) {
+  arms_[1].part = BodyPart::RightArm;
+  arms_[1].sleeve = OpeningKind::RightSleeve;
+  if (parts.isPerson()) {
+    weights_ = armWeights(body, parts);
+    for (Arm& arm : arms_) {
+      findShoulder(arm);
+    }
+  }
+}
+
+/// The inner end of the arm's centre line.
+void ArmBend::findShoulder(Arm& arm) const {
+  const std::vector<Vec3>& lines = body_.frames()[body_.centreLines()];
+  const double middle = parts_.landmarks()->neck.x();
+  double inner = std::numeric_limits<double>::max();
+  for (std::size_t v = 0; v < lines.size(); ++v) {
+    const double beside = std::abs(lines[v].x() - middle);
+    if (parts_.ofVertex(static_cast<int>(v)) == arm.part && beside < inner) {
+      inner = beside;
+      arm.shoulder = lines[v];
+    }
+  }
+}
+
+/// The point of the centre line at that distance from the shoulder [m]; its end if the arm is shorter.
+Vec3 ArmBend::pointOfArm(const Arm& arm, double fromShoulder) const {
+  const std::vector<Vec3>& lines = body_.frames()[body_.centreLines()];
+  double minOff = std::numeric_limits<double>::max();
+  Vec3 found = arm.shoulder;
+  for (std::size_t v = 0; v < lines.size(); ++v) {
+    const double off = std::abs((lines[v] - arm.shoulder).norm() - fromShoulder);
+    if (parts_.ofVertex(static_cast<int>(v)) == arm.part && off < minOff) {
+      minOff = off;
+      found = lines[v];
+    }
+  }
+  return found;
+}
+
+void ArmBend::aim(const GarmentOpenings& openings, std::span<const Vec3> positions) {
+  for (Arm& arm : arms_) {
+    arm.turn = Eigen::AngleAxisd::Identity();
+    const Opening* sleeve = openings.find(arm.sleeve);
+    if (sleeve == nullptr || weights_.empty()) {
+      continue;
+    }
+    const Vec3 wanted = centreOf(*sleeve, positions) - arm.shoulder;
+    const Vec3 present = pointOfArm(arm, wanted.norm()) - arm.shoulder;
+    if (wanted.norm() > 0.0 && present.norm() > 0.0) {
+      arm.turn = Eigen::Quaterniond::FromTwoVectors(present, wanted);
+      arm.turn.angle() = std::min(arm.turn.angle(), largestTurn);
+    }
+  }
+}
+
+std::vector<Vec3> ArmBend::bent(std::size_t frame) const {
+  std::vector<Vec3> positions = body_.frames()[frame];
+  const double share = std::min(1.0, body_.wayTo(frame) / body_.wayTo(body_.centreLines()));
+  for (std::size_t k = 0; k < arms_.size() && !weights_.empty(); ++k) {
+    const Arm& arm = arms_[k];
+    if (arm.turn.angle() * share == 0.0) {
+      continue;
+    }
+    const Mat3 turn = Eigen::AngleAxisd(share * arm.turn.angle(), arm.turn.axis()).toRotationMatrix();
+    for (std::size_t v = 0; v < positions.size(); ++v) {
+      const Vec3 turned = turn * (positions[v] - arm.shoulder) + arm.shoulder;
+      positions[v] += weights_[v][static_cast<Eigen::Index>(k)] * (turned - positions[v]);
+    }
+  }
+  return positions;
+}
+
+ShrinkingBody ArmBend::bentBody() const {
+  std::vector<std::vector<Vec3>> frames;
+  for (std::size_t frame = 0; frame < body_.frames().size(); ++frame) {
+    frames.push_back(bent(frame));
+  }
+  return body_.withFrames(std::move(frames));
+}
+
+}  // namespace drape::dressing

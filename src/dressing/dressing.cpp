@@ -1,0 +1,138 @@
+#include "dressing/dressing.hpp"
+
+#include "dressing/arm_bend.hpp"
+#include "intersection/intersections.hpp"
+#include "sim/model/bounds.hpp"
+#include "sim/model/mesh_topology.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace drape::dressing {
+namespace {
+
+using sim::contact::Pose;
+
+double volumeOf(const sim::ClothMesh& mesh) {
+  double volume = 0.0;
+  for (const Triangle& t : mesh.triangles) {
+    volume += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6.0;
+  }
+  return volume;
+}
+
+double largestSide(const std::vector<Vec3>& positions) {
+  return sim::boundsOf(positions).sizes().maxCoeff();
+}
+
+/// The turn and shift by hand, after a placement.
+Pose byHand(const Pose& placed, const std::vector<Vec3>& start, const DressingOptions& options) {
+  const Vec3 centre = sim::boundsOf(moved(start, placed)).center();
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(options.turn, Vec3::UnitY()) * placed.rotation;
+  pose.position = centre + Eigen::AngleAxisd(options.turn, Vec3::UnitY()) * (placed.position - centre) + options.move;
+  return pose;
+}
+
+/// The least shrunk frame from which on no triangle of the garment passes through the body; the thinnest one if there
+/// is none.
+std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const std::vector<Vec3>& positions) {
+  std::size_t frame = body.thinnest();
+  while (frame > 0 && wearing.pairs(positions, frame - 1) == 0) {
+    --frame;
+  }
+  return frame;
+}
+
+class Dresser {
+ public:
+  Dresser(const sim::ClothModel& model, const DressingOptions& options, const Wearing& wearing,
+          const ShrinkingBody& body)
+      : model_(model), options_(options), wearing_(wearing), body_(body) {}
+
+  void run(std::vector<Vec3> positions, Dressed& result) const {
+    result.before = pairsOf(positions);
+    const std::size_t frame = freeFrame(wearing_, body_, positions);
+    result.shrunk = body_.wayTo(frame);
+    result.positions = positions;
+    result.after = result.before;
+    result.fits = wearing_.pairs(positions, frame) == 0;
+    if (!result.fits) {
+      result.faults = wearing_.faults(positions, frame);
+      return;
+    }
+    Fitting fitting(model_, std::move(positions), body_, frame, options_.step);
+    while (!fitting.isGrown()) {
+      fitting.step();
+      options_.progress(Stage::Growing, std::min(1.0, fitting.time() / fitting.growthTime()));
+    }
+    settle(fitting);
+    result.positions = fitting.positions();
+    result.after = pairsOf(result.positions);
+    result.faults = wearing_.faults(result.positions, 0);
+  }
+
+ private:
+  [[nodiscard]] Pairs pairsOf(const std::vector<Vec3>& positions) const {
+    return {wearing_.pairs(positions, 0), intersection::intersectingPairs({positions, model_.triangles}).size()};
+  }
+
+  /// Continues with the full body until no pair is left, and the cloth has its distance to body and itself.
+  void settle(Fitting& fitting) const {
+    constexpr int stepsBetweenChecks = 15;
+    const double begin = fitting.time();
+    do {
+      for (int step = 0; step < stepsBetweenChecks; ++step) {
+        fitting.step();
+      }
+      options_.progress(Stage::Settling, std::min(1.0, (fitting.time() - begin) / options_.maxSettleTime));
+    } while (fitting.time() - begin < options_.maxSettleTime && pairsOf(fitting.positions()).all() > 0);
+  }
+
+  const sim::ClothModel& model_;
+  const DressingOptions& options_;
+  const Wearing& wearing_;
+  const ShrinkingBody& body_;
+};
+
+}  // namespace
+
+Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body) {
+  const double garmentSide = largestSide(garment.positions);
+  const double bodySide = largestSide(body.positions);
+  constexpr double smallestVolume = 1e-5;  // of the cube around the body [-]
+  if (!boundaryEdges(sim::edgesOf(body.triangles, body.positions.size())).empty()) {
+    return Misfit::OpenBody;
+  }
+  if (!(volumeOf(body) > smallestVolume * bodySide * bodySide * bodySide)) {
+    return Misfit::NoVolume;
+  }
+  if (garmentSide > largestRatio * bodySide) {
+    return Misfit::GarmentTooLarge;
+  }
+  return garmentSide < smallestRatio * bodySide ? Misfit::GarmentTooSmall : Misfit::None;
+}
+
+Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, const sim::ClothMesh& body,
+              const DressingOptions& options) {
+  Dressed result;
+  options.progress(Stage::Shrinking, 0.0);
+  const ShrinkingBody shrinking(body);
+  const BodyParts parts(shrinking);
+  const sim::ClothMesh garment{start, model.triangles};
+  result.placement =
+      place(garment, shrinking, parts, options.rule, [&](double share) { options.progress(Stage::Placing, share); });
+  result.placement.pose = byHand(result.placement.pose, start, options);
+  std::vector<Vec3> positions = moved(start, result.placement.pose);
+  const GarmentOpenings openings({positions, model.triangles});
+  result.openings = static_cast<int>(openings.all().size());
+  ArmBend bend(shrinking, parts);
+  bend.aim(openings, positions);
+  const ShrinkingBody bent = bend.bentBody();
+  const Wearing wearing(bent, parts, openings, model.triangles);
+  result.atCentreLines = wearing.faults(positions, bent.centreLines());
+  Dresser(model, options, wearing, bent).run(std::move(positions), result);
+  return result;
+}
+
+}  // namespace drape::dressing

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "dressing/fitting.hpp"
+#include "dressing/placement.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace drape::dressing {
+
+/// What dressing does at the moment.
+enum class Stage { Shrinking, Placing, Growing, Settling };
+
+/// How to dress a body.
+struct DressingOptions {
+  PlacementRule rule = PlacementRule::Auto;
+  Vec3 move = Vec3::Zero();    ///< after the placement [m]
+  double turn = 0.0;           ///< about the vertical through the middle of the garment, after the placement [rad]
+  sim::StepParameters step;    ///< material, contact and threads
+  double maxSettleTime = 4.0;  ///< after the growth, while pairs are left [s]
+  /// Called often with the share of the stage that is done, 0 to 1. An exception that it throws ends the dressing.
+  std::function<void(Stage, double)> progress = [](Stage, double) {};
+};
+
+/// The intersecting pairs of triangles of a garment.
+struct Pairs {
+  std::size_t body = 0;  ///< with the body
+  std::size_t self = 0;  ///< with itself
+  [[nodiscard]] std::size_t all() const { return body + self; }
+};
+
+/// A dressed body.
+struct Dressed {
+  Placement placement;  ///< with `move` and `turn`
+  /// Whether even the thinnest body is outside the triangles of the garment. Otherwise nothing was moved.
+  bool fits = true;
+  int openings = 0;  ///< of the garment
+  Pairs before;      ///< where the garment was placed
+  Pairs after;
+  std::vector<Fault> atCentreLines;  ///< what is wrong with the centre lines where the garment was placed
+  std::vector<Fault> faults;         ///< what is wrong at the end
+  double shrunk = 0.0;               ///< the way of the vertex that moved most while the body was shrunk [m]
+  std::vector<Vec3> positions;       ///< of the garment [m]
+};
+
+/// What is wrong with the meshes, so that they cannot be dressed.
+enum class Misfit { None, OpenBody, NoVolume, GarmentTooLarge, GarmentTooSmall };
+
+/// The largest extent of a garment over that of the body, for both limits [-].
+inline constexpr double largestRatio = 4.0;
+inline constexpr double smallestRatio = 0.02;
+
+/// @param body, garment in the scene [m]
+[[nodiscard]] Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body);
+
+/// Places a garment on a body and removes all intersections: the body is shrunk until no triangle of the garment passes
+/// through it, and grows again while it pushes the garment outwards (Fitting). The result is judged by the exact
+/// intersection test.
+/// @param model of the garment, without pins  @param start positions in the coordinates of its file [m]
+/// @param body closed; its triangles are counter-clockwise from outside [m]
+[[nodiscard]] Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, const sim::ClothMesh& body,
+                            const DressingOptions& options);
+
+}  // namespace drape::dressing

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "dressing/body_parts.hpp"
+#include "sim/model/cloth_model.hpp"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace drape::dressing {
+
+/// What an opening of a garment is for. Left is the side of the wearer's left arm.
+enum class OpeningKind { Neck, Waist, LeftSleeve, RightSleeve, Hem };
+
+/// An opening of a garment.
+struct Opening {
+  OpeningKind kind = OpeningKind::Hem;
+  std::vector<int> vertices;   ///< around it, in order
+  Vec3 centre = Vec3::Zero();  ///< at the start [m]
+};
+
+/// The openings of a garment, from its boundary loops.
+class GarmentOpenings {
+ public:
+  /// @param garment upright, its front towards +z or -z [m]
+  explicit GarmentOpenings(const sim::ClothMesh& garment);
+
+  [[nodiscard]] std::span<const Opening> all() const { return openings_; }
+  /// The first of a kind; null if there is none.
+  [[nodiscard]] const Opening* find(OpeningKind kind) const;
+  /// Whether its front is towards -z: the neck opening is lower there. False if it cannot be told.
+  [[nodiscard]] bool facesBack() const { return facesBack_; }
+
+  /// The opening that is nearest to a point at the start; null if there is none.
+  [[nodiscard]] const Opening* nearest(const Vec3& point) const;
+
+ private:
+  std::vector<Opening> openings_;
+  bool facesBack_ = false;
+};
+
+/// A surface that spans an opening.
+[[nodiscard]] sim::ClothMesh spanning(const Opening& opening, std::span<const Vec3> positions);
+
+}  // namespace drape::dressing

@@ -1,0 +1,205 @@
+#include "dressing/placement.hpp"
+
+#include "dressing/arm_bend.hpp"
+#include "sim/model/bounds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+namespace drape::dressing {
+namespace {
+
+using sim::contact::Pose;
+
+constexpr double quarterTurn = 0.5 * std::numbers::pi;
+
+Pose turnedAbout(const Vec3& centre, double angle) {
+  Pose pose;
+  pose.rotation = Eigen::AngleAxisd(angle, Vec3::UnitY());
+  pose.position = centre - pose.rotation * centre;
+  return pose;
+}
+
+/// The turn that brings the width of a garment along x and its front to that of the body.
+Pose turnToFront(const sim::ClothMesh& garment, const BodyParts& parts) {
+  constexpr double clearlyDeeper = 1.25;
+  const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
+  double angle = box.sizes().z() > clearlyDeeper * box.sizes().x() ? quarterTurn : 0.0;
+  const GarmentOpenings openings({moved(garment.positions, turnedAbout(box.center(), angle)), garment.triangles});
+  if (openings.facesBack() != parts.facesBack()) {
+    angle += 2.0 * quarterTurn;
+  }
+  return turnedAbout(box.center(), angle);
+}
+
+/// The shift of a garment whose landmarks are known; none if there are none.
+std::optional<Vec3> shiftByLandmarks(const GarmentOpenings& openings, const BodyParts& parts) {
+  if (!parts.landmarks()) {
+    return std::nullopt;
+  }
+  const Vec3& bodyNeck = parts.landmarks()->neck;
+  if (const Opening* neck = openings.find(OpeningKind::Neck)) {
+    return bodyNeck - neck->centre;
+  }
+  const Opening* left = openings.find(OpeningKind::LeftSleeve);
+  const Opening* right = openings.find(OpeningKind::RightSleeve);
+  if (left != nullptr && right != nullptr) {
+    return bodyNeck - 0.5 * (left->centre + right->centre);
+  }
+  const Opening* waist = openings.find(OpeningKind::Waist);
+  return waist != nullptr ? std::optional<Vec3>(parts.landmarks()->waist - waist->centre) : std::nullopt;
+}
+
+Vec3 shiftByBoxes(const std::vector<Vec3>& garment, const ShrinkingBody& body, const BodyParts& parts) {
+  constexpr double above = 0.02;  // [m]
+  const Eigen::AlignedBox3d box = sim::boundsOf(garment);
+  const Eigen::AlignedBox3d bodyBox = sim::boundsOf(body.frames().front());
+  Vec3 target = bodyBox.center();
+  target.y() = bodyBox.max().y();
+  if (parts.landmarks()) {
+    target = parts.landmarks()->neck;
+  }
+  return target - Vec3(box.center().x(), box.max().y() - above, box.center().z());
+}
+
+/// How bad a place is; lower is better. The centre lines count more than the full body, which pushes cloth outwards
+/// when it grows.
+class Badness {
+ public:
+  Badness(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts,
+          const GarmentOpenings& openings)
+      : body_(body), openings_(openings), bend_(body, parts), wearing_(body, parts, openings, garment.triangles) {}
+
+  /// @param limit larger results need not be exact
+  [[nodiscard]] double of(const std::vector<Vec3>& positions, double limit) {
+    constexpr double missedOpening = 1e4;
+    bend_.aim(openings_, positions);
+    double sum =
+        missedOpening * static_cast<double>(wearing_.missed(positions, bend_.bent(body_.centreLines())).size());
+    const std::array<std::pair<std::size_t, double>, 4> weights{
+        {{body_.thinnest(), 100.0}, {body_.centreLines(), 20.0}, {body_.centreLines() / 2, 2.0}, {0, 1.0}}};
+    for (const auto& [frame, weight] : weights) {
+      if (sum < limit) {
+        sum += weight * static_cast<double>(wearing_.pairs(positions, bend_.bent(frame)));
+      }
+    }
+    return sum;
+  }
+
+  /// Whether the centre lines are inside the garment and pass through its openings.
+  [[nodiscard]] bool isWorn(const std::vector<Vec3>& positions) {
+    bend_.aim(openings_, positions);
+    return wearing_.missed(positions, bend_.bent(body_.centreLines())).empty() &&
+           wearing_.pairs(positions, bend_.bent(body_.thinnest())) == 0;
+  }
+
+ private:
+  const ShrinkingBody& body_;
+  const GarmentOpenings& openings_;
+  ArmBend bend_;
+  Wearing wearing_;
+};
+
+/// Shifts to try, nearest first: up and down, forwards and backwards.
+std::vector<Vec3> shiftsAround(double step, int upwards, int forwards) {
+  std::vector<Vec3> shifts;
+  for (int y = -upwards; y <= upwards; ++y) {
+    for (int z = -forwards; z <= forwards; ++z) {
+      shifts.emplace_back(0.0, step * y, step * z);
+    }
+  }
+  std::ranges::stable_sort(shifts, {}, [](const Vec3& shift) { return shift.squaredNorm(); });
+  return shifts;
+}
+
+/// The best of the shifts around a place.
+class Search {
+ public:
+  Search(Badness& badness, std::vector<Vec3> positions, const std::function<void(double)>& progress)
+      : badness_(badness), positions_(std::move(positions)), progress_(progress) {}
+
+  /// @param forwards the largest shift to the front and back, in steps of 2 cm
+  [[nodiscard]] Vec3 run(int forwards) {
+    constexpr double coarse = 0.02;  // [m]
+    constexpr double fine = 0.01;    // [m]
+    const std::vector<Vec3> wide = shiftsAround(coarse, 4, forwards);
+    const std::vector<Vec3> narrow = shiftsAround(fine, 1, 1);
+    total_ = wide.size() + narrow.size();
+    tryAll(wide);
+    tryAll(narrow);
+    return best_;
+  }
+
+ private:
+  void tryAll(const std::vector<Vec3>& shifts) {
+    constexpr double perMetre = 100.0;  // a shift must be worth it: one pair a centimetre
+    const Vec3 middle = best_;
+    for (const Vec3& each : shifts) {
+      const Vec3 shift = middle + each;
+      Pose pose;
+      pose.position = shift;
+      const double badness = perMetre * shift.norm() + badness_.of(moved(positions_, pose), least_);
+      if (badness < least_) {
+        least_ = badness;
+        best_ = shift;
+      }
+      progress_(static_cast<double>(++tried_) / static_cast<double>(total_));
+    }
+  }
+
+  Badness& badness_;
+  std::vector<Vec3> positions_;
+  const std::function<void(double)>& progress_;
+  Vec3 best_ = Vec3::Zero();
+  double least_ = std::numeric_limits<double>::max();
+  std::size_t tried_ = 0;
+  std::size_t total_ = 1;
+};
+
+bool isWornAsInFiles(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts) {
+  const GarmentOpenings openings(garment);
+  const Eigen::AlignedBox3d bodyBox = sim::boundsOf(body.frames().front());
+  return openings.facesBack() == parts.facesBack() &&
+         bodyBox.contains(Vec3(sim::boundsOf(garment.positions).center())) &&
+         Badness(garment, body, parts, openings).isWorn(garment.positions);
+}
+
+}  // namespace
+
+std::vector<Vec3> moved(std::span<const Vec3> positions, const Pose& pose) {
+  std::vector<Vec3> result;
+  result.reserve(positions.size());
+  for (const Vec3& position : positions) {
+    result.push_back(pose.toWorld(position));
+  }
+  return result;
+}
+
+Placement place(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts, PlacementRule rule,
+                const std::function<void(double)>& progress) {
+  if (rule == PlacementRule::File || (rule == PlacementRule::Auto && isWornAsInFiles(garment, body, parts))) {
+    return {};
+  }
+  Placement result{PlacementRule::Boxes, turnToFront(garment, parts)};
+  sim::ClothMesh turned{moved(garment.positions, result.pose), garment.triangles};
+  std::optional<Vec3> shift;
+  if (rule != PlacementRule::Boxes) {
+    shift = shiftByLandmarks(GarmentOpenings(turned), parts);
+  }
+  result.rule = shift ? PlacementRule::Landmarks : PlacementRule::Boxes;
+  result.pose.position += shift ? *shift : shiftByBoxes(turned.positions, body, parts);
+  turned.positions = moved(garment.positions, result.pose);
+  const GarmentOpenings openings(turned);
+  Badness badness(turned, body, parts, openings);
+  // A cape hangs behind the body, farther than any landmark tells.
+  const int forwards = openings.all().empty() ? 10 : 4;
+  result.pose.position += Search(badness, turned.positions, progress).run(forwards);
+  return result;
+}
+
+}  // namespace drape::dressing

@@ -1,0 +1,96 @@
+#include "dressing/wearing.hpp"
+
+#include "intersection/intersections.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace drape::dressing {
+namespace {
+
+/// The parts that may pass through an opening.
+std::vector<BodyPart> partsThrough(OpeningKind kind) {
+  if (kind == OpeningKind::LeftSleeve) {
+    return {BodyPart::LeftArm};
+  }
+  if (kind == OpeningKind::RightSleeve) {
+    return {BodyPart::RightArm};
+  }
+  return {BodyPart::Whole, BodyPart::Head, BodyPart::Trunk, BodyPart::LeftLeg, BodyPart::RightLeg};
+}
+
+bool isSleeve(OpeningKind kind) {
+  return kind == OpeningKind::LeftSleeve || kind == OpeningKind::RightSleeve;
+}
+
+}  // namespace
+
+Wearing::Wearing(const ShrinkingBody& body, const BodyParts& parts, const GarmentOpenings& openings,
+                 std::span<const Triangle> garment)
+    : body_(body), parts_(parts), openings_(openings), garment_(garment) {
+  for (const Triangle& triangle : body.triangles()) {
+    trianglesOf_[parts.ofTriangle(triangle)].push_back(triangle);
+  }
+}
+
+std::size_t Wearing::pairs(std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
+  return intersection::intersectingPairs({positions, garment_}, {body, body_.triangles()}).size();
+}
+
+bool Wearing::passes(const Opening& opening, std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
+  const sim::ClothMesh span = spanning(opening, positions);
+  return std::ranges::any_of(partsThrough(opening.kind), [&](BodyPart part) {
+    const auto triangles = trianglesOf_.find(part);
+    return triangles != trianglesOf_.end() &&
+           !intersection::intersectingPairs({span.positions, span.triangles}, {body, triangles->second}).empty();
+  });
+}
+
+std::vector<const Opening*> Wearing::missed(std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
+  std::vector<const Opening*> result;
+  for (const Opening& opening : openings_.all()) {
+    const bool counts = opening.kind != OpeningKind::Hem && (parts_.isPerson() || !isSleeve(opening.kind));
+    if (counts && !passes(opening, positions, body)) {
+      result.push_back(&opening);
+    }
+  }
+  return result;
+}
+
+bool Wearing::isAtSleeve(int triangle, std::span<const Vec3> positions) const {
+  const Triangle& corners = garment_[triangle];
+  const Vec3 centre = (positions[corners[0]] + positions[corners[1]] + positions[corners[2]]) / 3.0;
+  double nearest = std::numeric_limits<double>::max();
+  bool atSleeve = false;
+  for (const Opening& opening : openings_.all()) {
+    for (const int vertex : opening.vertices) {
+      const double distance = (positions[vertex] - centre).squaredNorm();
+      if (distance < nearest) {
+        nearest = distance;
+        atSleeve = isSleeve(opening.kind);
+      }
+    }
+  }
+  return atSleeve;
+}
+
+std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame) const {
+  std::map<std::pair<BodyPart, bool>, std::size_t> counts;
+  for (const intersection::TrianglePair& pair :
+       intersection::intersectingPairs({positions, garment_}, {body_.frames()[frame], body_.triangles()})) {
+    ++counts[{parts_.ofTriangle(body_.triangles()[pair.second]), isAtSleeve(pair.first, positions)}];
+  }
+  std::vector<Fault> result;
+  for (const auto& [place, pairs] : counts) {
+    result.push_back({FaultKind::PassesWall, place.first, place.second, pairs});
+  }
+  for (const Opening* opening : missed(positions, body_.frames()[frame])) {
+    if (isSleeve(opening->kind)) {
+      result.push_back({FaultKind::MissesOpening, partsThrough(opening->kind).front(), true, 0});
+    }
+  }
+  return result;
+}
+
+}  // namespace drape::dressing

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "dressing/body_parts.hpp"
+#include "dressing/garment_openings.hpp"
+
+#include <map>
+#include <span>
+#include <vector>
+
+namespace drape::dressing {
+
+/// What is wrong with a garment on a body.
+enum class FaultKind {
+  PassesWall,    ///< a part of the body passes through the triangles of the garment
+  MissesOpening  ///< an arm does not pass through the opening of its sleeve
+};
+
+/// A part of a body and what is wrong with the garment there.
+struct Fault {
+  FaultKind kind = FaultKind::PassesWall;
+  BodyPart part = BodyPart::Whole;
+  bool atSleeve = false;  ///< the triangles are nearest to the opening of a sleeve
+  std::size_t pairs = 0;  ///< of triangles that intersect; 0 for an opening
+};
+
+/// Tests how a garment lies on a body, with the exact intersection test.
+class Wearing {
+ public:
+  /// The arguments must outlive it.
+  Wearing(const ShrinkingBody& body, const BodyParts& parts, const GarmentOpenings& openings,
+          std::span<const Triangle> garment);
+
+  /// The pairs of triangles of garment and body that intersect. @param positions of the garment [m]
+  [[nodiscard]] std::size_t pairs(std::span<const Vec3> positions, std::size_t frame) const {
+    return pairs(positions, body_.frames()[frame]);
+  }
+  /// The same for any shape of the body [m].
+  [[nodiscard]] std::size_t pairs(std::span<const Vec3> positions, const std::vector<Vec3>& body) const;
+
+  /// The openings for neck, waist and arms through which nothing of the right part of the body passes.
+  [[nodiscard]] std::vector<const Opening*> missed(std::span<const Vec3> positions,
+                                                   const std::vector<Vec3>& body) const;
+
+  /// Everything that is wrong, by part of the body.
+  [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame) const;
+
+ private:
+  [[nodiscard]] bool passes(const Opening& opening, std::span<const Vec3> positions,
+                            const std::vector<Vec3>& body) const;
+  [[nodiscard]] bool isAtSleeve(int triangle, std::span<const Vec3> positions) const;
+
+  const ShrinkingBody& body_;
+  const BodyParts& parts_;
+  const GarmentOpenings& openings_;
+  std::span<const Triangle> garment_;
+  std::map<BodyPart, std::vector<Triangle>> trianglesOf_;
+};
+
+}  // namespace drape::dressing

@@ -1,0 +1,53 @@
+#include "scene/garment_on_body.hpp"
+
+#include "messages/error.hpp"
+#include "scene/mesh_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+namespace drape::scene {
+namespace {
+
+constexpr std::array<std::string_view, 2> builtinBodies{"mannequin", "figure"};
+
+/// Reads the body in metres with y up.
+void useUnitAndAxes(const settings::Settings& settings, BodyDescription& body) {
+  io::ImportOptions options;
+  options.use = io::MeshUse::Body;
+  options.outliers = outlierRule(settings);
+  io::ImportedMesh mesh = readMesh(body.meshes.front(), options);
+  const MeshReading reading = readUpright(settings::Settings().mesh, mesh);
+  body.scale = reading.metresPerUnit;
+  body.body.motion.keyframes.front().rotation = rotationToY(reading.up);
+}
+
+}  // namespace
+
+SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
+                                   const settings::OwnFabrics& own) {
+  SceneDescription scene = openScene(garment, own);
+  if (!scene.opened) {
+    throw messages::InputError(garment + " is a scene; the garment must be a mesh file");
+  }
+  BodyDescription description;
+  description.body.name = std::filesystem::path(body).stem().string();
+  description.body.motion.keyframes = {sim::contact::Keyframe{}};
+  const bool isBuiltIn = std::ranges::find(builtinBodies, body) != builtinBodies.end();
+  if (!isBuiltIn && !io::isMeshFile(body)) {
+    throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure");
+  }
+  description.meshes = {MeshFileSource{isBuiltIn ? body + ".obj" : body, isBuiltIn}};
+  if (!isBuiltIn) {
+    useUnitAndAxes(scene.settings, description);
+  }
+  scene.bodies = {std::move(description)};
+  scene.settings.mesh.pins = "none";
+  scene.groundBelowCloth = false;
+  scene.ground.reset();
+  return scene;
+}
+
+}  // namespace drape::scene

@@ -1,0 +1,99 @@
+#include "dressing/dressing.hpp"
+#include "intersection/intersections.hpp"
+#include "shapes.hpp"
+
+#include <gtest/gtest.h>
+#include <cmath>
+#include <utility>
+
+namespace drape::dressing::testing {
+namespace {
+
+DressingOptions asInFiles() {
+  DressingOptions options;
+  options.rule = PlacementRule::File;
+  options.step.material.stiffness = 150.0;
+  return options;
+}
+
+TEST(Dressing, pushesATubeOutOfABodyThatPiercesIt) {
+  const sim::ClothMesh body = ellipsoid({0.2, 0.5, 0.2});
+  const sim::ClothMesh garment = tube(0.19, 0.4);
+  const Dressed result = dress(*modelOf(garment), garment.positions, body, asInFiles());
+  ASSERT_TRUE(result.fits);
+  EXPECT_GT(result.before.body, 50U);
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_TRUE(result.faults.empty());
+  EXPECT_TRUE(
+      intersection::intersectingPairs({result.positions, garment.triangles}, {body.positions, body.triangles}).empty());
+  // The waist of the tube is around the body, which would be inside out otherwise.
+  for (const Vec3& position : result.positions) {
+    if (std::abs(position.y()) < 0.1) {
+      EXPECT_GT(std::hypot(position.x(), position.z()), 0.19);
+    }
+  }
+}
+
+TEST(Dressing, bringsTheArmsBackIntoTheSleevesOfAMisplacedTshirt) {
+  const sim::ClothMesh garment = shifted(tshirt(), {0.0, -0.03, 0.04});
+  const Dressed result = dress(*modelOf(garment), garment.positions, mannequin(), asInFiles());
+  ASSERT_TRUE(result.fits);
+  EXPECT_GT(result.before.body, 300U);
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_TRUE(result.faults.empty());
+}
+
+TEST(Dressing, givesTheSameBitsWithAnyNumberOfThreads) {
+  const sim::ClothMesh body = ellipsoid({0.2, 0.5, 0.2});
+  const sim::ClothMesh garment = tube(0.19, 0.4);
+  DressingOptions options = asInFiles();
+  const Dressed one = dress(*modelOf(garment), garment.positions, body, options);
+  options.step.threads = 3;
+  const Dressed three = dress(*modelOf(garment), garment.positions, body, options);
+  EXPECT_EQ(one.positions, three.positions);
+}
+
+TEST(Dressing, leavesAGarmentThatCannotBeWornWhereItIs) {
+  // The body's middle line passes through the lid of the tube.
+  sim::ClothMesh garment = tube(0.25, 0.4);
+  const int lid = static_cast<int>(garment.positions.size());
+  garment.positions.emplace_back(0.0, 0.2, 0.0);
+  const int first = lid - 32;
+  for (int k = 0; k < 32; ++k) {
+    garment.triangles.push_back({first + k, first + (k + 1) % 32, lid});
+  }
+  const Dressed result = dress(*modelOf(garment), garment.positions, ellipsoid({0.2, 0.5, 0.2}), asInFiles());
+  EXPECT_FALSE(result.fits);
+  EXPECT_EQ(result.positions, garment.positions);
+  ASSERT_EQ(result.faults.size(), 1U);
+  EXPECT_EQ(result.faults.front().part, BodyPart::Whole);
+}
+
+TEST(Dressing, movesAndTurnsByHandAfterThePlacement) {
+  const sim::ClothMesh garment = tube(0.3, 0.4);
+  DressingOptions options = asInFiles();
+  options.move = Vec3(0.0, 0.05, 0.01);
+  const Dressed result = dress(*modelOf(garment), garment.positions, ellipsoid({0.2, 0.5, 0.2}), options);
+  EXPECT_TRUE(result.placement.pose.position.isApprox(options.move, 1e-12));
+  EXPECT_EQ(result.before.all(), 0U);
+}
+
+TEST(Dressing, tellsWhyMeshesCannotBeDressed) {
+  const sim::ClothMesh garment = tube(0.3, 0.4);
+  const sim::ClothMesh body = ellipsoid({0.2, 0.5, 0.2});
+  EXPECT_EQ(misfitOf(garment, body), Misfit::None);
+  sim::ClothMesh open = body;
+  open.triangles.pop_back();
+  EXPECT_EQ(misfitOf(garment, open), Misfit::OpenBody);
+  sim::ClothMesh insideOut = body;
+  for (Triangle& triangle : insideOut.triangles) {
+    std::swap(triangle[0], triangle[1]);
+  }
+  EXPECT_EQ(misfitOf(garment, insideOut), Misfit::NoVolume);
+  EXPECT_EQ(misfitOf(garment, ellipsoid({0.2, 0.5, 1e-7})), Misfit::NoVolume);
+  EXPECT_EQ(misfitOf(tube(30.0, 40.0), body), Misfit::GarmentTooLarge);
+  EXPECT_EQ(misfitOf(tube(0.003, 0.004), body), Misfit::GarmentTooSmall);
+}
+
+}  // namespace
+}  // namespace drape::dressing::testing

@@ -1,0 +1,87 @@
+#include "dressing/placement.hpp"
+#include "shapes.hpp"
+#include "sim/model/bounds.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <functional>
+#include <numbers>
+
+namespace drape::dressing::testing {
+namespace {
+
+const std::function<void(double)> noProgress = [](double) {};
+
+/// The number of faults of a garment around the centre lines.
+std::size_t faultsOf(const sim::ClothMesh& garment, const ShrinkingBody& body) {
+  const BodyParts parts(body);
+  const GarmentOpenings openings(garment);
+  return Wearing(body, parts, openings, garment.triangles).faults(garment.positions, body.centreLines()).size();
+}
+
+TEST(GarmentOpenings, areNamedOnATshirtAndATube) {
+  const GarmentOpenings ofShirt(tshirt());
+  ASSERT_EQ(ofShirt.all().size(), 4U);
+  ASSERT_NE(ofShirt.find(OpeningKind::LeftSleeve), nullptr);
+  EXPECT_GT(ofShirt.find(OpeningKind::LeftSleeve)->centre.x(), 0.3);
+  EXPECT_LT(ofShirt.find(OpeningKind::RightSleeve)->centre.x(), -0.3);
+  EXPECT_GT(ofShirt.find(OpeningKind::Neck)->centre.y(), 1.3);
+  EXPECT_FALSE(ofShirt.facesBack());
+  const GarmentOpenings ofTube(tube(0.2, 0.5));
+  EXPECT_NE(ofTube.find(OpeningKind::Waist), nullptr);
+  EXPECT_EQ(ofTube.find(OpeningKind::LeftSleeve), nullptr);
+}
+
+TEST(Placement, leavesAGarmentThatIsAroundTheBody) {
+  const ShrinkingBody body(mannequin());
+  const Placement placement = place(tshirt(), body, BodyParts(body), PlacementRule::Auto, noProgress);
+  EXPECT_EQ(placement.rule, PlacementRule::File);
+  EXPECT_TRUE(placement.pose.position.isZero(0.0));
+}
+
+TEST(Placement, bringsATurnedTshirtFromFarAwayOntoTheBody) {
+  const ShrinkingBody body(mannequin());
+  for (const double quarters : {0.0, 1.0, 2.0, 3.0}) {
+    sim::ClothMesh shirt = tshirt();
+    sim::contact::Pose away;
+    away.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
+    away.position = Vec3(1.3, -0.7, 2.0);
+    shirt.positions = moved(shirt.positions, away);
+    const Placement placement = place(shirt, body, BodyParts(body), PlacementRule::Auto, noProgress);
+    EXPECT_EQ(placement.rule, PlacementRule::Landmarks);
+    shirt.positions = moved(shirt.positions, placement.pose);
+    EXPECT_EQ(faultsOf(shirt, body), 0U) << quarters;
+    for (std::size_t v = 0; v < shirt.positions.size(); ++v) {
+      ASSERT_LT((shirt.positions[v] - tshirt().positions[v]).norm(), 0.12) << quarters;
+    }
+  }
+}
+
+TEST(Placement, putsATubeAboveTheMiddleOfABodyThatIsNoPerson) {
+  const ShrinkingBody body(ellipsoid({0.2, 0.5, 0.2}));
+  const sim::ClothMesh garment = shifted(tube(0.25, 0.4), {2.0, 1.0, 0.5});
+  const Placement placement = place(garment, body, BodyParts(body), PlacementRule::Auto, noProgress);
+  EXPECT_EQ(placement.rule, PlacementRule::Boxes);
+  const Vec3 centre = sim::boundsOf(moved(garment.positions, placement.pose)).center();
+  EXPECT_NEAR(centre.x(), 0.0, 0.01);
+  EXPECT_NEAR(centre.z(), 0.0, 0.1);
+}
+
+TEST(Wearing, namesTheArmsThatPassThroughTheWallsOfTheSleeves) {
+  const ShrinkingBody body(mannequin());
+  const BodyParts parts(body);
+  const sim::ClothMesh raised = shifted(tshirt(), {0.0, 0.2, 0.0});
+  const GarmentOpenings openings(raised);
+  const std::vector<Fault> faults =
+      Wearing(body, parts, openings, raised.triangles).faults(raised.positions, body.centreLines());
+  for (const BodyPart arm : {BodyPart::LeftArm, BodyPart::RightArm}) {
+    EXPECT_TRUE(std::ranges::any_of(faults, [&](const Fault& fault) {
+      return fault.kind == FaultKind::PassesWall && fault.part == arm && fault.atSleeve && fault.pairs > 0;
+    }));
+    EXPECT_TRUE(std::ranges::any_of(
+        faults, [&](const Fault& fault) { return fault.kind == FaultKind::MissesOpening && fault.part == arm; }));
+  }
+}
+
+}  // namespace
+}  // namespace drape::dressing::testing

@@ -1,0 +1,130 @@
+#include "program.hpp"
+
+#include <gtest/gtest.h>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace drape::app::testing {
+namespace {
+
+const std::string assets = std::string(DRAPE_SOURCE) + "/assets/meshes/";
+
+/// The lines of an OBJ file that start with one of the keywords.
+std::vector<std::string> linesOf(const std::filesystem::path& file, const std::string& keyword) {
+  std::istringstream text(readFile(file));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with(keyword + " ")) {
+      lines.push_back(line);
+    }
+  }
+  return lines;
+}
+
+/// A closed or open box of 12 triangles as an OBJ file.
+std::string boxFile(const std::filesystem::path& file, double side, bool open) {
+  std::ofstream text(file);
+  for (int k = 0; k < 8; ++k) {
+    text << "v " << side * (k & 1) << ' ' << side * ((k >> 1) & 1) << ' ' << side * ((k >> 2) & 1) << '\n';
+  }
+  text << "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\nf 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\n";
+  text << (open ? "" : "f 2 4 8\nf 2 8 6\n");
+  return file.string();
+}
+
+std::string failure(const std::string& arguments) {
+  const Outcome outcome = headless("dress " + arguments);
+  EXPECT_EQ(outcome.status, 1) << arguments << outcome.output << outcome.errors;
+  return outcome.errors;
+}
+
+TEST(Dress, writesAGarmentThatFitsTheFileAndSimulatesOnTheBody) {
+  const auto folder = testFolder();
+  const auto output = folder / "fitted.obj";
+  const auto scene = folder / "fitted.toml";
+  const Outcome outcome =
+      headless("dress " + assets + "tshirt.obj mannequin --place file --move 0 -0.03 0.04 --output " + output.string() +
+               " --scene " + scene.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("pairs of triangles of the garment with the body"), std::string::npos);
+  EXPECT_NE(outcome.output.find("no triangles at the end"), std::string::npos) << outcome.output;
+  EXPECT_EQ(linesOf(output, "v").size(), linesOf(assets + "tshirt.obj", "v").size());
+  EXPECT_EQ(linesOf(output, "vt").size(), linesOf(assets + "tshirt.obj", "vt").size());
+  EXPECT_EQ(linesOf(output, "f").size(), linesOf(assets + "tshirt.obj", "f").size());
+  const Outcome run = headless("run " + scene.string() + " --seconds 0.1 --check-intersections 1");
+  EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
+}
+
+TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
+  const auto folder = testFolder();
+  const auto garment = folder / "centimetres.obj";
+  {
+    std::ofstream text(garment);
+    for (const std::string& line : linesOf(assets + "cape.obj", "v")) {
+      std::istringstream words(line.substr(2));
+      double x = 0.0;
+      double y = 0.0;
+      double z = 0.0;
+      words >> x >> y >> z;
+      text << "v " << 100.0 * x << ' ' << 100.0 * y << ' ' << 100.0 * z << '\n';
+    }
+    for (const std::string& line : linesOf(assets + "cape.obj", "f")) {
+      std::istringstream words(line.substr(2));
+      text << 'f';
+      for (std::string word; words >> word;) {
+        text << ' ' << word.substr(0, word.find('/'));
+      }
+      text << '\n';
+    }
+  }
+  const auto output = folder / "fitted.obj";
+  const Outcome outcome =
+      headless("dress " + garment.string() + " mannequin --scale 1.1 --set up=y --output " + output.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  double low = 1e9;
+  double high = -1e9;
+  for (const std::string& line : linesOf(output, "v")) {
+    std::istringstream words(line.substr(2));
+    double x = 0.0;
+    double y = 0.0;
+    words >> x >> y;
+    low = std::min(low, y);
+    high = std::max(high, y);
+  }
+  EXPECT_NEAR(high - low, 110.0 * 0.902, 3.0);  // the cape is 0.902 m tall
+}
+
+TEST(Dress, saysWhatIsWrongWithBadInput) {
+  const auto folder = testFolder();
+  const std::string shirt = assets + "tshirt.obj";
+  const std::string to = " --output " + (folder / "out.obj").string();
+  const std::string open = boxFile(folder / "open.obj", 1.0, true);
+  EXPECT_NE(failure(shirt + " " + open + to).find("the body has holes"), std::string::npos);
+  const std::string box = boxFile(folder / "box.obj", 1.0, false);
+  EXPECT_NE(failure(shirt + " " + box + " --set unit=66" + to).find("cannot be worn"), std::string::npos);
+  EXPECT_NE(failure(shirt + " " + (folder / "none.obj").string() + to).find("no such file"), std::string::npos);
+  EXPECT_NE(failure((folder / "none.obj").string() + " mannequin" + to).find("none.obj"), std::string::npos);
+  EXPECT_NE(failure(shirt + " somebody" + to).find("no mesh file"), std::string::npos);
+  EXPECT_NE(failure("flag mannequin" + to).find("the garment must be a mesh"), std::string::npos);
+  EXPECT_NE(failure(shirt + " mannequin --output " + (folder / "no" / "out.obj").string()).find("out.obj"),
+            std::string::npos);
+  EXPECT_NE(failure(shirt + " mannequin --output " + box).find("exists"), std::string::npos);
+  const std::string raised = failure(shirt + " mannequin --place file --move 0 0.2 0" + to);
+  EXPECT_NE(raised.find("the right arm passes through the sleeve's wall"), std::string::npos) << raised;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.obj"));
+}
+
+TEST(Dress, refusesOptionsOutOfRange) {
+  const std::string start = "dress " + assets + "tshirt.obj mannequin --output x.obj ";
+  for (const char* options :
+       {"--move 0 0 11", "--move 0 0", "--turn 400", "--scale 0", "--place best", "--max-seconds -1"}) {
+    EXPECT_EQ(headless(start + options).status, 2) << options;
+  }
+}
+
+}  // namespace
+}  // namespace drape::app::testing
