@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "scene/mesh_file.hpp"
+#include "scene/opened_mesh.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,14 +25,32 @@ void useUnitAndAxes(const settings::Settings& settings, BodyDescription& body) {
   body.body.motion.keyframes.front().rotation = rotationToY(reading.up);
 }
 
+/// A scene of the garment alone.
+SceneDescription openGarment(const std::string& garment, const settings::OwnFabrics& own) {
+  constexpr std::string_view builtin = "builtin:";
+  if (!garment.starts_with(builtin)) {
+    SceneDescription scene = openScene(garment, own);
+    if (!scene.opened) {
+      throw messages::InputError(garment + " is a scene; the garment must be a mesh file");
+    }
+    return scene;
+  }
+  SceneDescription scene;
+  scene.name = garment.substr(builtin.size());
+  scene.cloth().source = MeshFileSource{scene.name, true};
+  scene.settings = openedMeshSettings();
+  scene.settings.fabric.own = own;
+  scene.settings.mesh.unit = "m";
+  scene.settings.mesh.up = "y";
+  scene.opened = true;
+  return scene;
+}
+
 }  // namespace
 
 SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
                                    const settings::OwnFabrics& own) {
-  SceneDescription scene = openScene(garment, own);
-  if (!scene.opened) {
-    throw messages::InputError(garment + " is a scene; the garment must be a mesh file");
-  }
+  SceneDescription scene = openGarment(garment, own);
   BodyDescription description;
   description.body.name = std::filesystem::path(body).stem().string();
   description.body.motion.keyframes = {sim::contact::Keyframe{}};

@@ -8,8 +8,8 @@ namespace drape::scene {
 
 /// A scene of a garment and the body that is to wear it. The garment has no pins, and both have the coordinates of
 /// their files. Unit and up axis of both are guessed where the format does not state them.
-/// @param garment a mesh file  @param body a mesh file, or a built-in body: "mannequin" or "figure"
-/// Throws InputError as openScene, and for files that are no meshes.
+/// @param garment a mesh file, or a built-in one: "builtin:tshirt.obj"  @param body a mesh file, or a built-in body:
+/// "mannequin" or "figure" Throws InputError as openScene, and for files that are no meshes.
 [[nodiscard]] SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
                                                  const settings::OwnFabrics& own = {});
 

@@ -50,7 +50,7 @@ std::vector<std::string> codeSpans(const std::string& line) {
 
 /// Text of the nearest command of the list that writes a file which that command reads; empty: none.
 std::string writingCommand(const std::vector<DocumentedCommand>& before, const std::string& text) {
-  static const std::regex written(R"(--(save|output|export|film|probe-output|record|stats|json) +(\S+))");
+  static const std::regex written(R"(--(save|scene|output|export|film|probe-output|record|stats|json) +(\S+))");
   const std::string read = std::regex_replace(text, written, "") + ' ';
   const auto writes = std::find_if(before.rbegin(), before.rend(), [&](const DocumentedCommand& command) {
     std::smatch file;

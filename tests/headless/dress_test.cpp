@@ -46,9 +46,8 @@ TEST(Dress, writesAGarmentThatFitsTheFileAndSimulatesOnTheBody) {
   const auto folder = testFolder();
   const auto output = folder / "fitted.obj";
   const auto scene = folder / "fitted.toml";
-  const Outcome outcome =
-      headless("dress " + assets + "tshirt.obj mannequin --place file --move 0 -0.03 0.04 --output " + output.string() +
-               " --scene " + scene.string());
+  const Outcome outcome = headless("dress builtin:tshirt.obj mannequin --place file --move 0 -0.03 0.04 --output " +
+                                   output.string() + " --scene " + scene.string());
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_NE(outcome.output.find("pairs of triangles of the garment with the body"), std::string::npos);
   EXPECT_NE(outcome.output.find("no triangles at the end"), std::string::npos) << outcome.output;
@@ -109,6 +108,7 @@ TEST(Dress, saysWhatIsWrongWithBadInput) {
   EXPECT_NE(failure(shirt + " " + (folder / "none.obj").string() + to).find("no such file"), std::string::npos);
   EXPECT_NE(failure((folder / "none.obj").string() + " mannequin" + to).find("none.obj"), std::string::npos);
   EXPECT_NE(failure(shirt + " somebody" + to).find("no mesh file"), std::string::npos);
+  EXPECT_NE(failure("builtin:none.obj mannequin" + to).find("built-in meshes are"), std::string::npos);
   EXPECT_NE(failure("flag mannequin" + to).find("the garment must be a mesh"), std::string::npos);
   EXPECT_NE(failure(shirt + " mannequin --output " + (folder / "no" / "out.obj").string()).find("out.obj"),
             std::string::npos);

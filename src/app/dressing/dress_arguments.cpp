@@ -141,7 +141,10 @@ void requireNewFile(const std::filesystem::path& file) {
 void DressArguments::addTo(CLI::App& app) {
   constexpr double maxMove = 10.0;  // [m]
   constexpr double fullTurn = 360.0;
-  app.add_option("garment", garment, "The garment, a mesh file")->type_name("GARMENT")->required()->check(notEmpty());
+  app.add_option("garment", garment, "The garment, a mesh file or a built-in one such as builtin:tshirt.obj")
+      ->type_name("GARMENT")
+      ->required()
+      ->check(notEmpty());
   app.add_option("body", body, "The body, a closed mesh file, or one of mannequin, figure")
       ->type_name("BODY")
       ->required()

@@ -12,7 +12,7 @@ namespace drape::app {
 
 /// The arguments "GARMENT BODY --output FILE ..." of the commands that put a garment on a body.
 struct DressArguments {
-  std::string garment;        ///< a mesh file
+  std::string garment;        ///< a mesh file, or "builtin:tshirt.obj"
   std::string body;           ///< a mesh file, "mannequin" or "figure"
   std::string output;         ///< the fitted garment, in a format of io::animation
   std::string sceneOutput;    ///< a scene file of both; empty: none
