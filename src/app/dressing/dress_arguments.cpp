@@ -82,7 +82,8 @@ Dressed dressed(const scene::Scene& scene, const sim::ClothMesh& body, const Dre
 }
 
 /// Builds the scene, and again with another unit where the garment is scaled.
-std::shared_ptr<const scene::Scene> openScaled(const DressArguments& arguments, scene::SceneDescription description) {
+std::shared_ptr<const scene::Scene> openScaled(const DressArguments& arguments,
+                                               const scene::SceneDescription& description) {
   auto scene = arguments.settings.build(description);
   if (arguments.scale == 1.0) {
     return scene;
