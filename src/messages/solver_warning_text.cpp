@@ -34,7 +34,7 @@ std::string stepTooLong(const sim::SolverWarning& warning) {
 std::string tooFewIterations(const sim::SolverWarning& warning) {
   const bool reachable = !substepsUpToTheMaximum(warning.substeps).empty();
   return std::to_string(warning.iterations) + (warning.iterations == 1 ? " iteration is" : " iterations are") +
-         " too few for this stiffness and time step: the cloth is softer than specified. " +
+         " too few for this stiffness and time step: the cloth is softer than specified, and it can gain energy. " +
          remedy(warning.substeps,
                 reachable ? "more iterations" : "more iterations, or a solver that solves for all springs at once");
 }

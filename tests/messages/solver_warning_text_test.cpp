@@ -72,18 +72,19 @@ TEST(SolverWarningText, saysWhereOneConstantMatrixIsSluggishOrTooLittleIterated)
               "At this stiffness and time step folding meets as much resistance as stretching: the cloth moves far too "
               "slowly. Use 11 substeps or softer cloth.");
   }
-  EXPECT_NE(
-      warningOf("local_global", 17, with(1000.0)).find("softer than specified. Use 4 substeps or more iterations."),
-      std::string::npos);
+  EXPECT_NE(warningOf("local_global", 17, with(1000.0))
+                .find("softer than specified, and it can gain energy. Use 4 substeps or more iterations."),
+            std::string::npos);
 }
 
 TEST(SolverWarningText, saysThatIterationsAreTooFew) {
-  EXPECT_EQ(
-      inWords({.kind = Kind::TooFewIterations, .substeps = 4.0, .iterations = 1}),
-      "1 iteration is too few for this stiffness and time step: the cloth is softer than specified. Use 4 substeps "
-      "or more iterations.");
+  EXPECT_EQ(inWords({.kind = Kind::TooFewIterations, .substeps = 4.0, .iterations = 1}),
+            "1 iteration is too few for this stiffness and time step: the cloth is softer than specified, and it can "
+            "gain energy. Use 4 substeps "
+            "or more iterations.");
   EXPECT_EQ(inWords({.kind = Kind::TooFewIterations, .substeps = 4000.0, .iterations = 3}),
-            "3 iterations are too few for this stiffness and time step: the cloth is softer than specified. Use more "
+            "3 iterations are too few for this stiffness and time step: the cloth is softer than specified, and it can "
+            "gain energy. Use more "
             "iterations, or a solver that solves for all springs at once.");
   EXPECT_EQ(inWords({.kind = Kind::AcceleratedTooLittle}),
             "Too few iterations for this stiffness and time step: the cloth is slack. Use more iterations, a larger "

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <set>
+#include <string>
 
 namespace drape::report {
 namespace {
@@ -91,6 +92,30 @@ TEST(HardCases, reportTheirFailure) {
   EXPECT_EQ(result.outcome, hardcases::CaseOutcome::Failed);
   EXPECT_NE(result.words.find("energy gained"), std::string::npos) << result.words;
   EXPECT_GT(result.seconds, 0.0);
+}
+
+TEST(HardCases, tellWhatTheSolverWarnedOf) {
+  const auto& folded = hardcases::requireHardCase("fabric_folded");
+  const hardcases::CaseResult failed = hardcases::runHardCase(folded, shortly("xpbd"));
+  EXPECT_EQ(failed.outcome, hardcases::CaseOutcome::Failed);
+  EXPECT_NE(failed.warning.find("10 iterations are too few"), std::string::npos) << failed.warning;
+  EXPECT_NE(hardcases::hardCaseLine(folded, failed).find("The solver warned: 10 iterations"), std::string::npos);
+  EXPECT_EQ(hardcases::hardCaseRow(folded, shortly("xpbd"), failed)["warning"], failed.warning);
+  EXPECT_TRUE(hardcases::runHardCase(folded, shortly("xpbd", {"iterations=100"})).warning.empty());
+}
+
+/// XPBD gains energy where it leaves stretch in the step. With the substeps of its warning it does not.
+TEST(HardCases, withAFabricPassWithTheSubstepsThatXpbdAsksFor) {
+  for (const char* name : {"fabric_folded", "fabric_slivers", "fabric_uneven_moduli", "fabric_overstretched"}) {
+    const auto& one = hardcases::requireHardCase(name);
+    const hardcases::CaseResult failed = hardcases::runHardCase(one, shortly("xpbd"));
+    EXPECT_EQ(failed.outcome, hardcases::CaseOutcome::Failed) << name;
+    const std::size_t use = failed.warning.find("Use ");
+    ASSERT_NE(use, std::string::npos) << name << ' ' << failed.warning;
+    const std::string substeps = "substeps=" + std::to_string(std::stoi(failed.warning.substr(use + 4)));
+    const hardcases::CaseResult passed = hardcases::runHardCase(one, shortly("xpbd", {substeps}));
+    EXPECT_EQ(passed.outcome, hardcases::CaseOutcome::Passed) << name << ' ' << substeps << ' ' << passed.words;
+  }
 }
 
 TEST(HardCases, ofContactHaveNoIntersectionsWithAnySolver) {

@@ -74,6 +74,12 @@ void CaseTrial::say(const std::string& words) {
   words_ += (words_.empty() ? "" : " ") + words;
 }
 
+void CaseTrial::warn(const sim::SolverWarning& warning) {
+  if (!warning_ || warning.substeps > warning_->substeps) {
+    warning_ = warning;
+  }
+}
+
 double CaseTrial::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }

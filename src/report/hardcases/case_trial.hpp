@@ -4,10 +4,12 @@
 #include "session/simulation.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
+#include "sim/solvers/solver_warning.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -60,17 +62,23 @@ class CaseTrial {
   /// Adds a remark.
   void say(const std::string& words);
 
+  /// Adds the warning of the solver about a cloth of this case. Of several, the one that asks for the most substeps
+  /// counts.
+  void warn(const sim::SolverWarning& warning);
+
   /// Call it every few steps. Throws CaseTooSlow, and forwards exceptions from `checkStop`.
   void tick() const;
 
   [[nodiscard]] const std::vector<CaseFigure>& figures() const { return figures_; }
   [[nodiscard]] const std::string& words() const { return words_; }
+  [[nodiscard]] const std::optional<sim::SolverWarning>& warning() const { return warning_; }
   [[nodiscard]] double seconds() const;
 
  private:
   const CaseOptions& options_;
   std::vector<CaseFigure> figures_;
   std::string words_;
+  std::optional<sim::SolverWarning> warning_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 

@@ -1,6 +1,7 @@
 #include "report/hardcases/cases.hpp"
 
 #include "messages/error.hpp"
+#include "messages/solver_warning_text.hpp"
 #include "report/hardcases/case_trial.hpp"
 #include "report/hardcases/hard_case.hpp"
 
@@ -169,6 +170,9 @@ CaseResult runHardCase(const HardCase& hardCase, const CaseOptions& options) {
   }
   result.figures = trial.figures();
   result.words = wordsOf(trial, ended);
+  if (result.outcome == CaseOutcome::Failed && trial.warning()) {
+    result.warning = messages::inWords(*trial.warning());
+  }
   result.seconds = trial.seconds();
   return result;
 }

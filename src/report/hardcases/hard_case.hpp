@@ -38,6 +38,7 @@ struct CaseResult {
   int start = 0;  ///< CaseOptions::start
   std::vector<CaseFigure> figures;
   std::string words;     ///< the reason of a failure, and remarks; may be empty
+  std::string warning;   ///< what the solver warned of before a case that it failed; may be empty
   double seconds = 0.0;  ///< wall clock time
 };
 

@@ -68,6 +68,7 @@ ReportRow hardCaseRow(const HardCase& hardCase, const CaseOptions& options, cons
     row["figures"].push_back(found);
   }
   row["words"] = result.words;
+  row["warning"] = result.warning;
   row["seconds"] = result.seconds;
   return row;
 }
@@ -82,6 +83,10 @@ std::string figuresInWords(const CaseResult& result) {
   return text;
 }
 
+std::string warningInWords(const std::string& warning) {
+  return warning.empty() ? "" : "The solver warned: " + warning;
+}
+
 std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
   const std::string name =
       std::string(hardCase.name) + (result.start > 0 ? fmt::format(", start {}", result.start) : "");
@@ -90,7 +95,8 @@ std::string hardCaseLine(const HardCase& hardCase, const CaseResult& result) {
   const std::string figures = figuresInWords(result);
   const bool ended = result.outcome == CaseOutcome::GivenUp || result.outcome == CaseOutcome::Refused ||
                      result.words.starts_with("The state was no longer finite");
-  return start + (ended ? result.words : figures) + "\n";
+  const std::string warning = result.warning.empty() ? "" : "    " + warningInWords(result.warning) + "\n";
+  return start + (ended ? result.words : figures) + "\n" + warning;
 }
 
 std::string hardCaseMarkdown(const ReportRows& rows) {

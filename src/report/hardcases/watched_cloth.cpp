@@ -2,6 +2,7 @@
 
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
+#include "sim/solvers/solver.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,12 @@ WatchedCloth::WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule 
 WatchedCloth::WatchedCloth(CaseTrial& trial, const std::shared_ptr<const scene::Scene>& scene, EnergyRule rule)
     : trial_(trial), rule_(rule), simulation_(withStableSubsteps(scene)) {
   simulation_.setProgressCallback([&trial] { trial.tick(); });
+  const sim::SolverInfo* solver = sim::findSolver(simulation_.settings().solver.name);
+  if (solver->warning != nullptr) {
+    if (const auto warning = solver->warning(model(), simulation_.settings().step)) {
+      trial_.warn(*warning);
+    }
+  }
   startEnergyCount();
 }
 

@@ -23,7 +23,7 @@ enum class EnergyRule {
 /// It throws CaseEnded when the state is no longer finite.
 class WatchedCloth {
  public:
-  /// Explicit methods get the substeps for half of their stability limit.
+  /// Explicit methods get the substeps for half of their stability limit. The solver's warning goes to the results.
   WatchedCloth(CaseTrial& trial, const CaseCloth& cloth, EnergyRule rule = EnergyRule::Counted);
   /// The same for a scene.
   WatchedCloth(CaseTrial& trial, const std::shared_ptr<const scene::Scene>& scene, EnergyRule rule);

@@ -115,8 +115,10 @@ TextTable faultsOf(const RowOf& rows, const std::vector<std::string>& methods) {
       const auto found = rows.find({one.number, method});
       if (found != rows.end() && !found->second->value("passed", false) &&
           found->second->value("outcome", "") != "refused") {
+        const std::string warning = hardcases::warningInWords(found->second->value("warning", ""));
         table.rows.push_back({method, std::to_string(one.number) + " " + std::string(one.name),
-                              found->second->value("outcome", ""), found->second->value("words", "")});
+                              found->second->value("outcome", ""),
+                              found->second->value("words", "") + (warning.empty() ? "" : ". " + warning)});
       }
     }
   }

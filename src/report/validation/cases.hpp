@@ -31,6 +31,7 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison membraneMode11(const CaseMesh& mesh);
 [[nodiscard]] Comparison membraneMode22(const CaseMesh& mesh);
 [[nodiscard]] Comparison stripMode(const CaseMesh& mesh);
+[[nodiscard]] Comparison substeppedStripMode(const CaseMesh& mesh);  // with the substeps of the solver's warning
 
 // motion_cases.cpp; the subject is a solver
 [[nodiscard]] Comparison inclineSticks(const CaseMesh& mesh);

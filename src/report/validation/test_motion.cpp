@@ -13,12 +13,14 @@ namespace {
 constexpr double stepsOfPeriod = 100.0;
 
 /// The number of substeps of half the stability limit of an explicit method, or of the paper's step if the method is
-/// never stable.
-int substepsOf(const sim::ClothModel& model, const sim::SolverInfo& solver, const sim::StepParameters& parameters) {
+/// never stable. Other methods keep to the rule.
+int substepsOf(const sim::ClothModel& model, const sim::SolverInfo& solver, const sim::StepParameters& parameters,
+               SubstepRule rule) {
   constexpr double share = 0.5;
   constexpr double finest = 1.0 / 30000.0;  // [s]
   if (solver.stepLimit == nullptr) {
-    return parameters.substeps;
+    const auto warning = rule == SubstepRule::OfWarning ? solver.warning(model, parameters) : std::nullopt;
+    return std::max(parameters.substeps, warning ? static_cast<int>(warning->substeps) : 0);
   }
   const double limit = solver.stepLimit(model, parameters);
   const double longest = limit > 0.0 ? share * limit : finest;
@@ -38,9 +40,9 @@ Vec3 meanOf(const sim::ClothModel& model, const std::vector<Vec3>& vectors) {
 
 TestMotion::TestMotion(std::shared_ptr<const sim::ClothModel> model, std::string_view solver,
                        const sim::StepParameters& parameters, const std::vector<Vec3>& start,
-                       const std::stop_token& stop)
+                       const std::stop_token& stop, SubstepRule rule)
     : model_(std::move(model)), parameters_(parameters), stepper_(solver), state_(sim::stateAtRest(start)) {
-  parameters_.substeps = substepsOf(*model_, stepper_.info(), parameters);
+  parameters_.substeps = substepsOf(*model_, stepper_.info(), parameters, rule);
   inputs_.stop = stop;
 }
 
@@ -77,7 +79,8 @@ Vec3 TestMotion::velocity() const {
   return meanOf(*model_, state_.velocities);
 }
 
-double frequencyOf(const Oscillation& oscillation, std::string_view solver, const std::stop_token& stop) {
+double frequencyOf(const Oscillation& oscillation, std::string_view solver, const std::stop_token& stop,
+                   SubstepRule rule) {
   sim::StepParameters parameters;
   parameters.gravity = 0.0;
   parameters.timeStep = oscillation.period / stepsOfPeriod;
@@ -85,7 +88,7 @@ double frequencyOf(const Oscillation& oscillation, std::string_view solver, cons
   for (std::size_t v = 0; v < start.size(); ++v) {
     start[v] += oscillation.shape[v];
   }
-  TestMotion motion(oscillation.model, solver, parameters, start, stop);
+  TestMotion motion(oscillation.model, solver, parameters, start, stop, rule);
   const auto projection = [&] {
     double sum = 0.0;
     for (std::size_t v = 0; v < start.size(); ++v) {

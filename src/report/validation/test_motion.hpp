@@ -12,13 +12,20 @@
 
 namespace drape::report::validation {
 
+/// How many substeps a method gets that has no stability limit.
+enum class SubstepRule {
+  One,       ///< a single one
+  OfWarning  ///< as many as its warning about this cloth asks for (SolverWarning::substeps)
+};
+
 /// A cloth that a solver of the program moves.
 class TestMotion {
  public:
   /// Explicit methods get the substeps for half of their stability limit.
-  /// @param solver its name  @param stop ends a step by sim::StepStopped
+  /// @param solver its name  @param stop ends a step by sim::StepStopped  @param rule for other methods
   TestMotion(std::shared_ptr<const sim::ClothModel> model, std::string_view solver,
-             const sim::StepParameters& parameters, const std::vector<Vec3>& start, const std::stop_token& stop);
+             const sim::StepParameters& parameters, const std::vector<Vec3>& start, const std::stop_token& stop,
+             SubstepRule rule = SubstepRule::One);
 
   /// Puts a body that stands still into the scene, before the first step.
   void add(sim::contact::Body body);
@@ -55,6 +62,7 @@ struct Oscillation {
 
 /// The frequency of the motion's projection on the mode's shape, from its first and its third zero [1/s]. The steps are
 /// a hundredth of the period. NaN if three zeros are not found within two periods.
-[[nodiscard]] double frequencyOf(const Oscillation& oscillation, std::string_view solver, const std::stop_token& stop);
+[[nodiscard]] double frequencyOf(const Oscillation& oscillation, std::string_view solver, const std::stop_token& stop,
+                                 SubstepRule rule = SubstepRule::One);
 
 }  // namespace drape::report::validation

@@ -5,13 +5,13 @@ namespace drape::sim {
 /// Why a solver does not suit a cloth: a code, with the numbers that its comment names. src/messages makes the text.
 struct SolverWarning {
   enum class Kind {
-    StepTooLong,           ///< a substep is above the stability limit `seconds`; `substeps`
-    GainsEnergy,           ///< no substep is stable: the energy of the fastest motion doubles every `seconds`
-    IndefiniteMatrix,      ///< stiff cloth can blow up with this force derivative; `substeps`
-    FlatClothGains,        ///< flat cloth, fine and stiff, gains energy and can blow up; `substeps`
-    TooFewSweeps,          ///< `iterations` sweeps leave stiff cloth slack, and it loses momentum; `substeps`
-    TooFewIterations,      ///< `iterations` iterations make cloth softer than specified; `substeps`
-    StiffFolds,            ///< folding meets the resistance of stretching, so cloth moves too slowly; `substeps`
+    StepTooLong,       ///< a substep is above the stability limit `seconds`; `substeps`
+    GainsEnergy,       ///< no substep is stable: the energy of the fastest motion doubles every `seconds`
+    IndefiniteMatrix,  ///< stiff cloth can blow up with this force derivative; `substeps`
+    FlatClothGains,    ///< flat cloth, fine and stiff, gains energy and can blow up; `substeps`
+    TooFewSweeps,      ///< `iterations` sweeps leave stiff cloth slack, and it loses momentum; `substeps`
+    TooFewIterations,  ///< `iterations` iterations make cloth softer than specified, so it can gain energy; `substeps`
+    StiffFolds,        ///< folding meets the resistance of stretching, so cloth moves too slowly; `substeps`
     AcceleratedTooLittle,  ///< too few accelerated iterations: the cloth is slack
     Overshoots,            ///< accelerated iterations overshoot at this stiffness: the cloth may oscillate
     SpectralRadius,        ///< `iterations` with `spectralRadius` overshoot on any cloth; `neededIterations` do not

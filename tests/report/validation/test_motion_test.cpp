@@ -31,6 +31,15 @@ TEST(FrequencyCases, showThatOneIterationIsTooSlow) {
   EXPECT_FALSE(std::abs(errorOf("strip_one_iteration")) < 0.01);
 }
 
+TEST(FrequencyCases, ofIterativeSolversNeedTheSubstepsOfTheirWarning) {
+  constexpr std::array mesh{16};
+  const auto error = [&](const char* name) {
+    return runValidation(requireValidationCase(name), MeshKind::Alternating, mesh).results.back().comparison.error();
+  };
+  EXPECT_FALSE(std::abs(error("strip_xpbd")) < 0.01);
+  EXPECT_NEAR(error("strip_xpbd_substeps"), 0.0, 0.002);
+}
+
 TEST(FrequencyCases, coverEverySolverThatTakesFabric) {
   for (const sim::SolverInfo& solver : sim::solverTable()) {
     for (const std::string prefix : {"membrane_", "strip_"}) {
