@@ -15,14 +15,6 @@ namespace {
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double largestTurn = 60.0 * degree;
 
-Vec3 centreOf(const Opening& opening, std::span<const Vec3> positions) {
-  Vec3 sum = Vec3::Zero();
-  for (const int vertex : opening.vertices) {
-    sum += positions[vertex];
-  }
-  return sum / static_cast<double>(opening.vertices.size());
-}
-
 /// Smooth weights of both arms.
 std::vector<Vec3> armWeights(const ShrinkingBody& body, const BodyParts& parts) {
   const std::vector<Vec3>& full = body.frames().front();

@@ -81,6 +81,10 @@ Vec3 upwards(const scene::BoundaryLoop& loop) {
 
 }  // namespace
 
+bool isSleeve(OpeningKind kind) {
+  return kind == OpeningKind::LeftSleeve || kind == OpeningKind::RightSleeve;
+}
+
 GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
   const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
   const scene::ClothPieces pieces = scene::findPieces(garment);
@@ -103,7 +107,7 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
   }
   if (facesBack_) {
     for (Opening& opening : openings_) {
-      if (opening.kind == OpeningKind::LeftSleeve || opening.kind == OpeningKind::RightSleeve) {
+      if (isSleeve(opening.kind)) {
         opening.kind = opening.kind == OpeningKind::LeftSleeve ? OpeningKind::RightSleeve : OpeningKind::LeftSleeve;
       }
     }
@@ -115,21 +119,21 @@ const Opening* GarmentOpenings::find(OpeningKind kind) const {
   return found == openings_.end() ? nullptr : &*found;
 }
 
-const Opening* GarmentOpenings::nearest(const Vec3& point) const {
-  const auto found = std::ranges::min_element(
-      openings_, {}, [&](const Opening& opening) { return (opening.centre - point).squaredNorm(); });
-  return found == openings_.end() ? nullptr : &*found;
+Vec3 centreOf(const Opening& opening, std::span<const Vec3> positions) {
+  Vec3 sum = Vec3::Zero();
+  for (const int vertex : opening.vertices) {
+    sum += positions[vertex];
+  }
+  return sum / static_cast<double>(opening.vertices.size());
 }
 
 sim::ClothMesh spanning(const Opening& opening, std::span<const Vec3> positions) {
   sim::ClothMesh fan;
-  Vec3 centre = Vec3::Zero();
   for (const int vertex : opening.vertices) {
     fan.positions.push_back(positions[vertex]);
-    centre += positions[vertex];
   }
   const auto count = static_cast<int>(opening.vertices.size());
-  fan.positions.emplace_back(centre / count);
+  fan.positions.push_back(centreOf(opening, positions));
   for (int k = 0; k < count; ++k) {
     fan.triangles.push_back({k, (k + 1) % count, count});
   }

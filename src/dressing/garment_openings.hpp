@@ -12,6 +12,8 @@ namespace drape::dressing {
 /// What an opening of a garment is for. Left is the side of the wearer's left arm.
 enum class OpeningKind { Neck, Waist, LeftSleeve, RightSleeve, Hem };
 
+[[nodiscard]] bool isSleeve(OpeningKind kind);
+
 /// An opening of a garment.
 struct Opening {
   OpeningKind kind = OpeningKind::Hem;
@@ -31,13 +33,13 @@ class GarmentOpenings {
   /// Whether its front is towards -z: the neck opening is lower there. False if it cannot be told.
   [[nodiscard]] bool facesBack() const { return facesBack_; }
 
-  /// The opening that is nearest to a point at the start; null if there is none.
-  [[nodiscard]] const Opening* nearest(const Vec3& point) const;
-
  private:
   std::vector<Opening> openings_;
   bool facesBack_ = false;
 };
+
+/// The mean of the vertices around an opening [m].
+[[nodiscard]] Vec3 centreOf(const Opening& opening, std::span<const Vec3> positions);
 
 /// A surface that spans an opening.
 [[nodiscard]] sim::ClothMesh spanning(const Opening& opening, std::span<const Vec3> positions);

@@ -10,9 +10,8 @@ namespace drape::dressing {
 
 /// A closed body and the shapes between it and the centre lines of its limbs.
 ///
-/// The positions diffuse along the surface (HeatFlow). A limb of radius r loses its girth in a time
-/// of r^2, and its length only in a time of its length squared. So an arm becomes a line in the middle of the arm while
-/// the trunk is still half as wide as before.
+/// The positions diffuse along the surface (HeatFlow). A limb of radius r loses its girth in a time of r^2, and its
+/// length only in a time of its length squared. So an arm becomes a line while the trunk keeps two thirds of its width.
 class ShrinkingBody {
  public:
   /// @param body in the scene [m]; closed, with all triangles counter-clockwise from outside
@@ -26,7 +25,7 @@ class ShrinkingBody {
   /// The frame in which arms and legs are lines and have lost little of their length.
   [[nodiscard]] std::size_t centreLines() const { return centreLines_; }
 
-  /// How far no vertex moves between two successive frames, summed from frame 0 [m].
+  /// The sum over all frames up to this one of the largest displacement of a vertex from the frame before [m].
   [[nodiscard]] double wayTo(std::size_t frame) const { return ways_[frame]; }
 
   /// The same body with other shapes between. @param frames as many

@@ -20,10 +20,6 @@ std::vector<BodyPart> partsThrough(OpeningKind kind) {
   return {BodyPart::Whole, BodyPart::Head, BodyPart::Trunk, BodyPart::LeftLeg, BodyPart::RightLeg};
 }
 
-bool isSleeve(OpeningKind kind) {
-  return kind == OpeningKind::LeftSleeve || kind == OpeningKind::RightSleeve;
-}
-
 }  // namespace
 
 Wearing::Wearing(const ShrinkingBody& body, const BodyParts& parts, const GarmentOpenings& openings,
