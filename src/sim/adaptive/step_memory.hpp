@@ -15,6 +15,7 @@ struct StretchMemory {
   double imposed = 0.0;     ///< the strain that the stiffness does not reduce [-]
   double raisedFrom = 0.0;  ///< the strain before the stiffness was raised [-]; 0: its effect is known
   double changed = 0.0;     ///< time of the last change of the level, or of strain close to the limit [s]
+  double peak = 0.0;        ///< the largest strain measured since `changed`, without the imposed strain [-]
 };
 
 /// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.

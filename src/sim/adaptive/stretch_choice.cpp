@@ -34,10 +34,15 @@ std::vector<int> levelsOf(const std::vector<StretchMemory>& materials) {
   return levels;
 }
 
-/// Whether a lower stiffness of a material would keep its strain below the limit for long enough. Raises the stiffness
-/// if the strain exceeds the limit.
-bool raiseOrAllowFall(double limit, double time, bool mayBeImposed, StretchMemory& memory) {
-  if (memory.raisedFrom > 0.0 && mayBeImposed) {
+/// The strain after tuning.strainForecastTime if it goes on to grow at its present rate [-].
+double forecastOf(double strain, double earlierStrain, double interval) {
+  return strain + std::max(0.0, strain - earlierStrain) / interval * tuning.strainForecastTime;
+}
+
+/// Stores the strain that is left after a rise of the stiffness as imposed.
+/// @return false if it is too early to know
+bool updateImposedStrain(double limit, double time, bool mayBeImposed, StretchMemory& memory) {
+  if (memory.raisedFrom > 0.0 && mayBeImposed && memory.strain <= memory.raisedFrom) {
     if (time - memory.changed < tuning.strainSettlingTime) {
       return false;
     }
@@ -47,17 +52,32 @@ bool raiseOrAllowFall(double limit, double time, bool mayBeImposed, StretchMemor
   }
   memory.raisedFrom = 0.0;
   memory.imposed = memory.strain < limit ? 0.0 : std::min(memory.imposed, memory.strain);
+  return true;
+}
+
+/// By how many levels the stiffness of a material may fall so that the strain stays below the limit for long enough.
+/// Raises the stiffness if the strain exceeds the limit or soon will.
+/// @param forecast of memory.strain [-]
+int raiseOrAllowFall(double limit, double time, double forecast, bool mayBeImposed, StretchMemory& memory) {
+  if (!updateImposedStrain(limit, time, mayBeImposed, memory)) {
+    return 0;
+  }
   const double strain = memory.strain - memory.imposed;
-  if (strain > limit && memory.level > 0) {
-    memory.raisedFrom = memory.strain;
-    memory.level = std::max(0, memory.level + std::min(-1, levelsBelow(strain, limit)));
+  memory.peak = std::max(memory.peak, strain);
+  const double expected = forecast - memory.imposed;
+  if (expected > limit && memory.level > 0) {
+    memory.raisedFrom = strain > limit ? memory.strain : 0.0;
+    const int rise = std::clamp(-levelsBelow(expected, limit), 1, tuning.maxStretchRise);
+    memory.level = std::max(0, memory.level - rise);
     memory.changed = time;
+    memory.peak = 0.0;
   } else if (tuning.strainMargin * strain / StretchChoice::scaleOf(1) > limit) {
     memory.changed = time;
-  } else {
-    return time - memory.changed > tuning.strainCalmTime;
+    memory.peak = 0.0;
+  } else if (time - memory.changed > tuning.strainCalmTime) {
+    return std::max(0, levelsBelow(tuning.strainMargin * memory.peak, limit));
   }
-  return false;
+  return 0;
 }
 
 }  // namespace
@@ -116,9 +136,9 @@ const ClothModel& StretchChoice::at(Softer& softer, const ClothModel& model, con
 /// The next lower levels of those materials that may fall, if that makes a step cheaper and a step costs too much.
 /// Materials on which the substeps do not depend keep their level. The cost of contact is not in the budget and rises
 /// with the stiffness, so with bodies a step always costs too much.
-StretchChoice::Levels StretchChoice::lowered(const Softer& softer, const ClothModel& model,
-                                             const StretchConditions& conditions, const Levels& levels,
-                                             const std::vector<bool>& mayFall) {
+StretchChoice::Levels StretchChoice::loweredOnce(const Softer& softer, const ClothModel& model,
+                                                 const StretchConditions& conditions, const Levels& levels,
+                                                 const std::vector<bool>& mayFall) {
   const auto& [parameters, options, meetsBodies, isAttached] = conditions;
   const std::vector<double> rates = highestRates(softer, levels);
   const double highest = std::ranges::max(rates);
@@ -138,40 +158,68 @@ StretchChoice::Levels StretchChoice::lowered(const Softer& softer, const ClothMo
   return std::ranges::max(highestRates(softer, lower)) < gain * highest ? lower : levels;
 }
 
-StretchChoice::Levels StretchChoice::firstLevels(const Softer& softer, const ClothModel& model,
-                                                 const StretchConditions& conditions) {
-  const std::vector<fabric::Material>& materials = model.fabric->materials.list();
-  Levels levels(materials.size(), 0);
+/// Lowers the levels as long as that makes a step cheaper and a step costs too much.
+/// @param falls by how many levels the stiffness of each material may fall
+StretchChoice::Levels StretchChoice::lowered(const Softer& softer, const ClothModel& model,
+                                             const StretchConditions& conditions, const Levels& levels,
+                                             const Levels& falls) {
+  Levels lowest = levels;
   while (true) {
     std::vector<bool> mayFall;
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-      const double strain = strainByLoad(materials[i], softer.rates, conditions.parameters);
-      mayFall.push_back(levels[i] < levelsBelow(strain, conditions.options.strainLimit));
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+      mayFall.push_back(lowest[i] < levels[i] + falls[i]);
     }
-    const Levels lower = lowered(softer, model, conditions, levels, mayFall);
-    if (lower == levels) {
-      return levels;
+    const Levels lower = loweredOnce(softer, model, conditions, lowest, mayFall);
+    if (lower == lowest) {
+      return lowest;
     }
-    levels = lower;
+    lowest = lower;
   }
 }
 
-void StretchChoice::update(const Softer& softer, const ClothModel& model, const StretchConditions& conditions,
-                           double time, StepMemory& memory) {
-  const bool mayBeImposed = conditions.meetsBodies && memory.speed < tuning.maxSpeedOfImposedStrain;
-  std::vector<bool> mayFall;
-  for (StretchMemory& material : memory.stretch) {
-    mayFall.push_back(raiseOrAllowFall(conditions.options.strainLimit, time, mayBeImposed, material));
+StretchChoice::Levels StretchChoice::firstLevels(const Softer& softer, const ClothModel& model,
+                                                 const StretchConditions& conditions) {
+  Levels falls;
+  for (const fabric::Material& material : model.fabric->materials.list()) {
+    const double strain = tuning.suddenLoadFactor * strainByLoad(material, softer.rates, conditions.parameters);
+    falls.push_back(std::max(0, levelsBelow(strain, conditions.options.strainLimit)));
   }
-  if (std::ranges::find(mayFall, true) == mayFall.end()) {
+  return lowered(softer, model, conditions, Levels(falls.size(), 0), falls);
+}
+
+void StretchChoice::update(const Softer& softer, const ClothModel& model, const StretchConditions& conditions,
+                           std::span<const double> forecasts, double time, StepMemory& memory) {
+  const bool mayBeImposed = conditions.meetsBodies && memory.speed < tuning.maxSpeedOfImposedStrain;
+  Levels falls;
+  for (std::size_t i = 0; i < memory.stretch.size(); ++i) {
+    falls.push_back(
+        raiseOrAllowFall(conditions.options.strainLimit, time, forecasts[i], mayBeImposed, memory.stretch[i]));
+  }
+  if (std::ranges::max(falls) == 0) {
     return;
   }
-  const Levels lower = lowered(softer, model, conditions, levelsOf(memory.stretch), mayFall);
+  const Levels lower = lowered(softer, model, conditions, levelsOf(memory.stretch), falls);
   for (std::size_t i = 0; i < lower.size(); ++i) {
     StretchMemory& material = memory.stretch[i];
-    material.changed = lower[i] > material.level ? time : material.changed;
-    material.level = lower[i];
+    if (lower[i] > material.level) {
+      material = {.level = lower[i], .strain = material.strain, .imposed = material.imposed, .changed = time};
+    }
   }
+}
+
+void StretchChoice::measureAndUpdate(const Softer& softer, const ClothModel& model, const StretchConditions& conditions,
+                                     const ClothState& state, StepMemory& memory) {
+  const double interval = state.time - memory.strainsMeasured;
+  memory.strainsMeasured = state.time;
+  const std::vector<double> strains = fabric::strainsAlongYarns(model, state.positions);
+  std::vector<double> forecasts = strains;
+  for (std::size_t i = 0; i < strains.size(); ++i) {
+    if (interval > 0.0) {
+      forecasts[i] = forecastOf(strains[i], memory.stretch[i].strain, interval);
+    }
+    memory.stretch[i].strain = strains[i];
+  }
+  update(softer, model, conditions, forecasts, state.time, memory);
 }
 
 const ClothModel& StretchChoice::choose(const ClothModel& model, const StretchConditions& conditions,
@@ -191,12 +239,7 @@ const ClothModel& StretchChoice::choose(const ClothModel& model, const StretchCo
   }
   const double interval = conditions.isAttached ? 0.0 : tuning.strainCheckInterval;
   if (state.time >= memory.strainsMeasured + interval || state.time < memory.strainsMeasured) {
-    memory.strainsMeasured = state.time;
-    const std::vector<double> strains = fabric::strainsAlongYarns(model, state.positions);
-    for (std::size_t i = 0; i < materials; ++i) {
-      memory.stretch[i].strain = strains[i];
-    }
-    update(softer, model, conditions, state.time, memory);
+    measureAndUpdate(softer, model, conditions, state, memory);
   }
   return at(softer, model, levelsOf(memory.stretch));
 }

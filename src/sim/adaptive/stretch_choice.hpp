@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace drape::sim::adaptive {
@@ -34,11 +35,12 @@ struct StretchConditions {
 /// Each material has its own stiffness, because a soft knit may be strained beyond the limit beside a woven fabric that
 /// is not. Only materials that shorten the substeps become softer.
 ///
-/// The strain under weight and wind is estimated for the first step. Later steps measure the strain, which contact, the
-/// attachment and inertia also cause. The stiffness rises as soon as the strain exceeds the limit. It falls after a
-/// time in which the strain stayed so small that softer cloth would meet the limit too. A body can impose strain, for
-/// example one that is wider than the garment. A higher stiffness does not reduce imposed strain, so it does not count.
-/// The stiffness of cloth that sleeps does not change.
+/// The strain under weight and wind is estimated for the first step, as of loads that act suddenly. Later steps measure
+/// the strain, which contact, the attachment and inertia also cause. The stiffness rises as soon as the strain exceeds
+/// the limit, or would soon exceed it at its present rate. It falls after a time in which the strain stayed so small
+/// that softer cloth would meet the limit too. A body can impose strain, for example one that is wider than the
+/// garment. A higher stiffness does not reduce imposed strain, so it does not count. The stiffness of cloth that sleeps
+/// does not change.
 class StretchChoice {
  public:
   /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.
@@ -73,11 +75,15 @@ class StretchChoice {
   [[nodiscard]] static std::vector<double> highestRates(const Softer& softer, const Levels& levels);
   [[nodiscard]] static Levels firstLevels(const Softer& softer, const ClothModel& model,
                                           const StretchConditions& conditions);
+  [[nodiscard]] static Levels loweredOnce(const Softer& softer, const ClothModel& model,
+                                          const StretchConditions& conditions, const Levels& levels,
+                                          const std::vector<bool>& mayFall);
   [[nodiscard]] static Levels lowered(const Softer& softer, const ClothModel& model,
-                                      const StretchConditions& conditions, const Levels& levels,
-                                      const std::vector<bool>& mayFall);
-  static void update(const Softer& softer, const ClothModel& model, const StretchConditions& conditions, double time,
-                     StepMemory& memory);
+                                      const StretchConditions& conditions, const Levels& levels, const Levels& falls);
+  static void update(const Softer& softer, const ClothModel& model, const StretchConditions& conditions,
+                     std::span<const double> forecasts, double time, StepMemory& memory);
+  static void measureAndUpdate(const Softer& softer, const ClothModel& model, const StretchConditions& conditions,
+                               const ClothState& state, StepMemory& memory);
 
   ModelCache<Softer> softer_;
 };

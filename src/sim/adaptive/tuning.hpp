@@ -174,8 +174,17 @@ struct AutoTuning {
   /// A lower stretch stiffness is used if a step then takes less than this fraction of the force evaluations [-].
   /// Without shear and bending the fraction is 0.84.
   double minStretchGain = 0.96;
+  /// Factor on the strain of cloth at rest for the first step [-]. A load that acts suddenly on elastic cloth stretches
+  /// it by twice the strain at rest.
+  double suddenLoadFactor = 2.0;
   /// Time between two measurements of the strain without an attachment [s]. Larger: cheaper, the stiffness rises later.
-  double strainCheckInterval = 1.0 / 30.0;
+  double strainCheckInterval = 1.0 / 100.0;
+  /// The stiffness rises if the strain would exceed the limit after this time at its present rate [s]. Larger: stiffer
+  /// cloth. Smaller: the strain exceeds the limit when loads rise quickly.
+  double strainForecastTime = 1.0 / 30.0;
+  /// Maximum number of levels by which the stiffness rises after a measurement [-]. Larger: a wrong forecast costs
+  /// more.
+  int maxStretchRise = 4;
   /// Time from a rise of the stiffness to the check whether the strain is imposed [s]. Cloth settles in that time.
   double strainSettlingTime = 0.2;
   /// The strain is imposed if more than this fraction of it is left after a rise of the stiffness [-]. The stiffness
@@ -183,7 +192,8 @@ struct AutoTuning {
   double imposedStrainFraction = 0.8;
   /// Strain counts as imposed only at a mean speed below this [m/s]. The loads of faster cloth change.
   double maxSpeedOfImposedStrain = 0.1;
-  /// The stiffness falls after the strain has allowed it for this time [s]. Smaller: it rises and falls often.
+  /// The stiffness falls after the strain has allowed it for this time [s], by as many levels as the largest strain in
+  /// this time allows. Smaller: it rises and falls often.
   double strainCalmTime = 0.5;
 
   // Sleep detection.

@@ -155,6 +155,7 @@ void stretchFields(Archive& archive, std::vector<adaptive::StretchMemory>& mater
     archive(materials[i].imposed);
     archive(materials[i].raisedFrom);
     archive(materials[i].changed);
+    archive(materials[i].peak);
   }
 }
 

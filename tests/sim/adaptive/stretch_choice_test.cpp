@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -17,14 +18,15 @@ namespace {
 
 using namespace testing;
 
-/// A sheet of 1 m that hangs from its upper edge.
-std::shared_ptr<const ClothModel> hangingFabric() {
+/// A sheet of 1 m that hangs from its upper edge. @param damping of stretch and bending [s]
+std::shared_ptr<const ClothModel> hangingFabric(double damping = 0.0) {
   std::vector<int> pins;
   for (int i = 0; i < 17; ++i) {
     pins.push_back(i);
   }
   fabric::Material material = woven();
   material.stretchWarp = material.stretchWeft = 6000.0;
+  material.stretchDamping = material.bendDamping = damping;
   return asFabric(*buildClothModel(sheet(17), 0.1, MassLumping::Area, pins), material);
 }
 
@@ -142,6 +144,48 @@ TEST(StretchChoice, softensSmallTrianglesOnlyWithALimit) {
   const StepReport full = afterStepsOfAuto(*model, parameters, 2).second;
   EXPECT_EQ(full.choice->softenedTriangles, 0);
   EXPECT_GT(full.choice->substeps, limited.choice->substeps);
+}
+
+/// The largest strain along the yarns at the ends of some steps.
+double largestStrain(const ClothModel& model, const StepParameters& parameters, int steps, ClothState& state) {
+  Stepper stepper("auto");
+  double largest = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    (void)stepper.step(model, parameters, {}, state);
+    largest = std::max(largest, fabric::strainsAlongYarns(model, state.positions).front());
+  }
+  return largest;
+}
+
+TEST(StretchChoice, keepsTheStrainBelowTheLimitWhenTheWeightActsSuddenly) {
+  const auto model = hangingFabric();
+  ClothState state = stateAtRest(model->restPositions);
+  EXPECT_LT(largestStrain(*model, smallCostBudget(), 60, state), 0.01);
+  EXPECT_GT(stepMemoryOf(state).stretch.front().level, 2);
+}
+
+TEST(StretchChoice, raisesTheStiffnessBeforeAFastRiseOfTheLoadExceedsTheLimit) {
+  const auto model = hangingFabric(0.002);
+  StepParameters parameters = smallCostBudget();
+  parameters.timeStep = 1.0 / 300.0;
+  ClothState state = stateAtRest(model->restPositions);
+  (void)largestStrain(*model, parameters, 300, state);
+  parameters.gravity *= 3.0;
+  EXPECT_LT(largestStrain(*model, parameters, 300, state), 0.0135);
+}
+
+TEST(StretchChoice, lowersTheStiffnessAgainByTheStrainThatALoadLeaves) {
+  const auto model = hangingFabric(0.002);
+  StepParameters parameters = smallCostBudget();
+  ClothState state = stateAtRest(model->restPositions);
+  (void)largestStrain(*model, parameters, 60, state);
+  const int before = stepMemoryOf(state).stretch.front().level;
+  parameters.gravity *= 3.0;
+  (void)largestStrain(*model, parameters, 30, state);
+  ASSERT_LT(stepMemoryOf(state).stretch.front().level, before - 2);
+  parameters.gravity /= 3.0;
+  (void)largestStrain(*model, parameters, 180, state);
+  EXPECT_GE(stepMemoryOf(state).stretch.front().level, before - 1);
 }
 
 TEST(StretchChoice, raisesTheStiffnessWithTheLoad) {
