@@ -277,7 +277,7 @@ bool dampingNeedsDouble(const LocalRates& rates, const CommonParameters& paramet
 }
 
 bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-                        const AutoOptions& options, const StepMemory& memory, double maxCoordinate) {
+                        const AutoOptions& options, const StepMemory& memory, double maxCoordinate, bool contactsAct) {
   const double rootStiffness =
       parameters.timeStep * std::sqrt(parameters.material.stiffness);  // times sqrt(omega^2/k): h omega
   const double evaluations =
@@ -294,7 +294,8 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
   const bool isSlow = !model.fabric || memory.speed < tuning.slowSpeed;
   const bool comesToRest =
       isSlow && (parameters.material.damping > 0.0 || parameters.air.drag > 0.0) && parameters.air.wind.isZero(0.0);
-  return heating > (comesToRest ? tuning.maxHeatingAtRest
+  const double maxAtRest = contactsAct ? tuning.maxHeatingInContact : tuning.maxHeatingAtRest;
+  return heating > (comesToRest ? maxAtRest
                                 : tuning.maxHeatingInMotion *
                                       std::max(tuning.minFallEnergy, parameters.gravity * rates.diagonal));
 }

@@ -139,6 +139,8 @@ struct AutoTuning {
   double minFallEnergy = 1.0;
   /// Allowed heating by rounding of cloth that damping or drag bring to rest [W/kg]. Larger: float keeps cloth moving.
   double maxHeatingAtRest = 1e-7;
+  /// The same while contacts act [W/kg]. Friction and the inelastic contacts remove energy, too.
+  double maxHeatingInContact = 1e-5;
   /// A fabric with a higher mean speed than this is not coming to rest [m/s]. Vibration by rounding in float stays far
   /// below. Larger: double is used more often.
   double slowSpeed = 0.03;

@@ -330,7 +330,8 @@ class AutoSolver final : public Solver {
       return DoubleReason::Required;
     }
     const double largest = adaptive::maxCoordinate(state.positions, simd::stepOrigin<float>(state.positions));
-    if (adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, memory, largest)) {
+    if (adaptive::roundingAddsEnergy(model, rates, parameters, parameters.automatic, memory, largest,
+                                     inputs.contacts != nullptr)) {
       return DoubleReason::Required;
     }
     return inputs.contacts == nullptr &&
