@@ -71,16 +71,21 @@ bool Wearing::isAtSleeve(int triangle, std::span<const Vec3> positions) const {
   return atSleeve;
 }
 
-std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame) const {
+std::vector<Fault> Wearing::wallFaults(std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
   std::map<std::pair<BodyPart, bool>, std::size_t> counts;
   for (const intersection::TrianglePair& pair :
-       intersection::intersectingPairs({positions, garment_}, {body_.frames()[frame], body_.triangles()})) {
+       intersection::intersectingPairs({positions, garment_}, {body, body_.triangles()})) {
     ++counts[{parts_.ofTriangle(body_.triangles()[pair.second]), isAtSleeve(pair.first, positions)}];
   }
   std::vector<Fault> result;
   for (const auto& [place, pairs] : counts) {
     result.push_back({FaultKind::PassesWall, place.first, place.second, pairs});
   }
+  return result;
+}
+
+std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame) const {
+  std::vector<Fault> result = wallFaults(positions, body_.frames()[frame]);
   for (const Opening* opening : missed(positions, body_.frames()[frame])) {
     if (isSleeve(opening->kind)) {
       result.push_back({FaultKind::MissesOpening, partsThrough(opening->kind).front(), true, 0});

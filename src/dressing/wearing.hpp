@@ -41,6 +41,9 @@ class Wearing {
   [[nodiscard]] std::vector<const Opening*> missed(std::span<const Vec3> positions,
                                                    const std::vector<Vec3>& body) const;
 
+  /// Where parts of the body pass through the triangles of the garment. @param body its vertices [m]
+  [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions, const std::vector<Vec3>& body) const;
+
   /// Everything that is wrong, by part of the body.
   [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame) const;
 
