@@ -61,6 +61,8 @@ constexpr std::tuple table{
                                    Field{"places", &session::PlacePinsCommand::places}),
     row<session::MovePinsCommand>("move_pins", Field{"by", &session::MovePinsCommand::by}),
     row<session::UntangleCommand>("untangle"),
+    row<session::PlaceClothCommand>("place_cloth", Field{"positions", &session::PlaceClothCommand::positions},
+                                    Field{"is_start", &session::PlaceClothCommand::isStart}),
     row<session::SwitchBodyCommand>("switch_body", Field{"body", &session::SwitchBodyCommand::body},
                                     Field{"on", &session::SwitchBodyCommand::on}),
     row<session::SetSurfaceCommand>(

@@ -52,6 +52,12 @@ struct MovePinsCommand {
 };
 /// Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay where they are.
 struct UntangleCommand {};
+/// Puts the cloth at rest into other positions, as dressing a body does.
+struct PlaceClothCommand {
+  std::vector<Vec3> positions;  ///< one per vertex [m]
+  /// Whether the scene starts there from now on, and returns to its start. Otherwise the time goes on.
+  bool isStart = false;
+};
 /// Switches contact with a body on or off.
 struct SwitchBodyCommand {
   int body = 0;  ///< index into the scene's bodies
@@ -89,11 +95,11 @@ struct LoadSceneCommand {
 };
 
 /// All commands to a running simulation.
-using Command =
-    std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
-                 ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand, SetPinsCommand,
-                 PlacePinsCommand, MovePinsCommand, UntangleCommand, SwitchBodyCommand, SetSurfaceCommand,
-                 MoveBodyCommand, SetCostBudgetCommand, ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
+using Command = std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
+                             ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand,
+                             SetPinsCommand, PlacePinsCommand, MovePinsCommand, UntangleCommand, PlaceClothCommand,
+                             SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetCostBudgetCommand,
+                             ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {

@@ -158,6 +158,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.scene = scene_;
   snapshot.model = model_;
   snapshot.positions = state_.positions;
+  snapshot.placedStart = placedStart_;
   snapshot.step = stepIndex_;
   snapshot.version = version_;
   snapshot.time = state_.time;
@@ -284,6 +285,10 @@ void Simulation::on(const SingleStepCommand&) {
 
 void Simulation::on(const ResetCommand&) {
   state_ = scene_->start;
+  if (placedStart_) {
+    state_ = sim::stateAtRest(*placedStart_);
+    state_.time = scene_->start.time;
+  }
   const bool unfolded = sim::makeUnfoldable(*model_, state_);
   bodies_.reset(state_.time);
   if (ghost_) {
@@ -309,8 +314,15 @@ void Simulation::on(const UntangleCommand&) {
     untangling.step();
     sim::checkStop(inputs_);
   }
+  restAt(untangling.positions());
+  message_ =
+      untangling.isDone() ? "" : "Untangling did not remove all intersections. Pins may hold parts in each other.";
+}
+
+/// Goes on from other positions at the present time.
+void Simulation::restAt(std::vector<Vec3> positions) {
   const double time = state_.time;
-  state_ = sim::stateAtRest(untangling.positions());
+  state_ = sim::stateAtRest(std::move(positions));
   state_.time = time;
   if (ghost_) {
     ghost_->reset(state_);
@@ -319,8 +331,23 @@ void Simulation::on(const UntangleCommand&) {
     balance_.emplace();
   }
   stepReport_ = {};
-  message_ =
-      untangling.isDone() ? "" : "Untangling did not remove all intersections. Pins may hold parts in each other.";
+}
+
+void Simulation::on(const PlaceClothCommand& command) {
+  const bool isFinite = std::ranges::all_of(command.positions, [](const Vec3& each) { return each.allFinite(); });
+  if (static_cast<int>(command.positions.size()) != model_->vertexCount() || !isFinite) {
+    throw messages::InputError("the cloth needs one finite place for each vertex");
+  }
+  if (command.isStart) {
+    placedStart_ = std::make_shared<const std::vector<Vec3>>(command.positions);
+    on(ResetCommand{});
+  } else {
+    restAt(command.positions);
+    inputs_.attachment.reset();
+    overlapMessage_.clear();
+    lastOutside_ = state_.time;
+    message_.clear();
+  }
 }
 
 void Simulation::on(const AttachCommand& command) {
@@ -468,6 +495,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   }
   requireSolversForMaterial(command.scene->settings);
   scene_ = command.scene;
+  placedStart_.reset();
   model_ = scene_->model;
   settings_ = scene_->settings;
   ghost_.reset();

@@ -98,6 +98,7 @@ class Simulation {
   void on(const PlacePinsCommand& command);
   void on(const MovePinsCommand& command);
   void on(const UntangleCommand& command);
+  void on(const PlaceClothCommand& command);
   void on(const SwitchBodyCommand& command);
   void on(const SetSurfaceCommand& command);
   void on(const MoveBodyCommand& command);
@@ -110,6 +111,7 @@ class Simulation {
   void useSettings(settings::Settings changed, settings::SettingEffect effect);
   void useSolvers();
   void useBalance();
+  void restAt(std::vector<Vec3> positions);
   void stepGhost();
   void updateCostBudget();
 
@@ -132,6 +134,7 @@ class Simulation {
   sim::StepReport stepReport_;
   sim::ClothState state_;
   sim::ClothState lastFinite_;
+  std::shared_ptr<const std::vector<Vec3>> placedStart_;  // instead of the scene's start; null: none
   std::optional<Ghost> ghost_;
   std::optional<sim::EnergyBalance> balance_;
   CostBudget budget_;

@@ -48,6 +48,8 @@ struct Snapshot {
   std::vector<Vec3> velocities;                  ///< one per vertex [m/s]; only with view.colour_map or when observed
   /// Of the last step, one per vertex, see ContactLoads [N s]; likewise, and empty before the next step.
   std::vector<double> contactImpulses;
+  /// Where a PlaceClothCommand let the scene start [m]; null: it starts as it was built.
+  std::shared_ptr<const std::vector<Vec3>> placedStart;
   std::int64_t step = 0;        ///< steps since the scene was loaded or reset
   std::int64_t version = 0;     ///< increases with every snapshot that differs from the one before
   double time = 0.0;            ///< simulated [s]
