@@ -3,6 +3,7 @@
 #include "app/command_json.hpp"
 #include "app/fabric_json.hpp"
 #include "messages/error.hpp"
+#include "scene/garment_on_body.hpp"
 #include "scene/scene_parts.hpp"
 #include "settings/settings_table.hpp"
 
@@ -18,10 +19,12 @@ using Json = nlohmann::ordered_json;
 
 constexpr int formatVersion = 1;
 
-/// Built-in scenes keep their names. A file gets an absolute name, so that the log can be replayed from any folder.
+/// Built-in scenes, garments and bodies keep their names. A file gets an absolute name, so that the log can be replayed
+/// from any folder.
 std::string absoluteName(const std::string& name) {
   const auto scenes = scene::sceneList();
   const bool builtIn =
+      scene::isBuiltInWear(name) ||
       std::any_of(scenes.begin(), scenes.end(), [&](const scene::SceneInfo& scene) { return scene.name == name; });
   return name.empty() || builtIn ? name : std::filesystem::absolute(name).string();
 }
@@ -43,6 +46,7 @@ SessionLog parse(const Json& json) {
   log.parts.scene = json.at("scene");
   log.parts.cloth = json.at("cloth");
   log.parts.bodies = json.at("bodies");
+  log.parts.dressed = json.value("dressed", false);
   for (const auto& [key, value] : json.at("settings").items()) {
     log.settings.emplace_back(key, value.get<std::string>());
   }
@@ -113,6 +117,7 @@ void write(const SessionLog& log, OutputFile& file) {
   json["scene"] = log.parts.scene;
   json["cloth"] = log.parts.cloth;
   json["bodies"] = log.parts.bodies;
+  json["dressed"] = log.parts.dressed;
   for (const auto& [key, value] : log.settings) {
     json["settings"][key] = value;
   }

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::array<std::string_view, 2> builtinBodies{"mannequin", "figure"};
 
+constexpr std::string_view builtinPrefix = "builtin:";
+
 /// Reads the body in metres with y up.
 void useUnitAndAxes(const settings::Settings& settings, BodyDescription& body) {
   io::ImportOptions options;
@@ -27,8 +29,7 @@ void useUnitAndAxes(const settings::Settings& settings, BodyDescription& body) {
 
 /// A scene of the garment alone.
 SceneDescription openGarment(const std::string& garment, const settings::OwnFabrics& own) {
-  constexpr std::string_view builtin = "builtin:";
-  if (!garment.starts_with(builtin)) {
+  if (!garment.starts_with(builtinPrefix)) {
     SceneDescription scene = openScene(garment, own);
     if (!scene.opened) {
       throw messages::InputError(garment + " is a scene; the garment must be a mesh file");
@@ -36,7 +37,7 @@ SceneDescription openGarment(const std::string& garment, const settings::OwnFabr
     return scene;
   }
   SceneDescription scene;
-  scene.name = garment.substr(builtin.size());
+  scene.name = garment.substr(builtinPrefix.size());
   scene.cloth().source = MeshFileSource{scene.name, true};
   scene.settings = openedMeshSettings();
   scene.settings.fabric.own = own;
@@ -46,26 +47,39 @@ SceneDescription openGarment(const std::string& garment, const settings::OwnFabr
   return scene;
 }
 
+bool isBuiltInBody(const std::string& body) {
+  return std::ranges::find(builtinBodies, body) != builtinBodies.end();
+}
+
 }  // namespace
 
-SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
-                                   const settings::OwnFabrics& own) {
-  SceneDescription scene = openGarment(garment, own);
+bool isBuiltInWear(const std::string& name) {
+  return name.starts_with(builtinPrefix) || isBuiltInBody(name);
+}
+
+BodyDescription bodyOfFile(const std::string& body, const settings::Settings& settings) {
   BodyDescription description;
   description.body.name = std::filesystem::path(body).stem().string();
   description.body.motion.keyframes = {sim::contact::Keyframe{}};
-  const bool isBuiltIn = std::ranges::find(builtinBodies, body) != builtinBodies.end();
+  const bool isBuiltIn = isBuiltInBody(body);
   if (!isBuiltIn && !io::isMeshFile(body)) {
     throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure");
   }
   description.meshes = {MeshFileSource{isBuiltIn ? body + ".obj" : body, isBuiltIn}};
   if (!isBuiltIn) {
-    useUnitAndAxes(scene.settings, description);
+    useUnitAndAxes(settings, description);
   }
-  scene.bodies = {std::move(description)};
+  return description;
+}
+
+SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
+                                   const settings::OwnFabrics& own) {
+  SceneDescription scene = openGarment(garment, own);
+  scene.bodies = {bodyOfFile(body, scene.settings)};
   scene.settings.mesh.pins = "none";
   scene.groundBelowCloth = false;
   scene.ground.reset();
+  scene.parts = {.cloth = garment, .bodies = {body}, .dressed = true};
   return scene;
 }
 

@@ -101,6 +101,9 @@ struct SceneParts {
   std::string scene = {};                ///< a built-in scene, a scene file or a mesh file; empty: only the next two
   std::string cloth = {};                ///< a mesh file for the cloth; empty: the cloth of the scene
   std::vector<std::string> bodies = {};  ///< mesh files of additional bodies
+  /// Whether the cloth is a garment that a body is to wear: it has no pins, and each body has its own unit and axes.
+  /// Then `cloth` and the only one of `bodies` may also be built-in ones, see openGarmentOnBody.
+  bool dressed = false;
 };
 
 /// An elastic band along an open border, as it is written in a scene file.

@@ -1,6 +1,7 @@
 #include "scene/scene_parts.hpp"
 
 #include "messages/error.hpp"
+#include "scene/garment_on_body.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -36,7 +37,13 @@ void replaceCloth(SceneDescription& scene, const std::string& file) {
   scene.camera.reset();
 }
 
-void addBody(SceneDescription& scene, const std::string& file) {
+void addBody(SceneDescription& scene, const std::string& file, bool isDressed) {
+  if (isDressed || isBuiltInWear(file)) {
+    BodyDescription body = bodyOfFile(file, scene.settings);
+    body.body.name = freeName(scene.bodies, body.body.name);
+    scene.bodies.push_back(std::move(body));
+    return;
+  }
   if (!io::isMeshFile(file)) {
     throw messages::InputError(file + " is not a mesh; only a mesh can be a body");
   }
@@ -55,14 +62,17 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
     throw messages::InputError("there are " + std::to_string(parts.bodies.size()) + " files for bodies; drop at most " +
                                std::to_string(maxBodies) + " at a time");
   }
+  if (parts.dressed && parts.scene.empty() && parts.bodies.size() == 1) {
+    return openGarmentOnBody(parts.cloth, parts.bodies.front(), own);
+  }
   SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene, own);
   if (!parts.scene.empty() && !parts.cloth.empty()) {
     replaceCloth(scene, parts.cloth);
   }
   for (const std::string& body : parts.bodies) {
-    addBody(scene, body);
+    addBody(scene, body, parts.dressed);
   }
-  if (!parts.bodies.empty() && scene.opened) {
+  if (parts.dressed || (!parts.bodies.empty() && scene.opened)) {
     scene.settings.mesh.pins = "none";  // the cloth lies on the body
   }
   if (!parts.bodies.empty() && scene.groundBelowCloth) {
