@@ -12,7 +12,7 @@ namespace drape::dressing {
 namespace {
 
 /// Larger bodies are not taken apart: it would take seconds.
-constexpr std::size_t mostTriangles = 60'000;
+constexpr std::size_t maxTriangles = 60'000;
 
 Vec3 centreOf(std::span<const Vec3> positions, const Triangle& triangle) {
   return (positions[triangle[0]] + positions[triangle[1]] + positions[triangle[2]]) / 3.0;
@@ -95,7 +95,7 @@ const PiercingSearch::Anatomy* PiercingSearch::anatomyOf(std::size_t body) {
   sim::ClothMesh mesh = placedBody(described, sim::contact::poseAt(described.motion, 0.0));
   const Misfit misfit = misfitOf({scene_->start.positions, scene_->model->triangles}, mesh);
   const bool isClosed = misfit != Misfit::OpenBody && misfit != Misfit::NoVolume;
-  if (isClosed && mesh.triangles.size() <= mostTriangles) {
+  if (isClosed && mesh.triangles.size() <= maxTriangles) {
     anatomy = std::make_unique<Anatomy>(std::move(mesh), *scene_);
   }
   return anatomy.get();
