@@ -15,7 +15,7 @@ namespace drape::dressing {
 struct Piercing {
   std::size_t body = 0;        ///< index into the bodies of the scene
   std::size_t pairs = 0;       ///< of triangles that intersect
-  std::vector<Fault> faults;   ///< the same pairs by part of the body; BodyPart::Whole unless it is a person
+  std::vector<Fault> faults;   ///< the same pairs, one entry a part of the body; BodyPart::Whole unless it is a person
   Vec3 centre = Vec3::Zero();  ///< the mean of the triangles of the cloth [m]
 };
 

@@ -75,7 +75,9 @@ std::vector<Fault> Wearing::wallFaults(std::span<const Vec3> positions, const st
   std::map<std::pair<BodyPart, bool>, std::size_t> counts;
   for (const intersection::TrianglePair& pair :
        intersection::intersectingPairs({positions, garment_}, {body, body_.triangles()})) {
-    ++counts[{parts_.ofTriangle(body_.triangles()[pair.second]), isAtSleeve(pair.first, positions)}];
+    const BodyPart part = parts_.ofTriangle(body_.triangles()[pair.second]);
+    const bool isArm = part == BodyPart::LeftArm || part == BodyPart::RightArm;
+    ++counts[{part, isArm && isAtSleeve(pair.first, positions)}];
   }
   std::vector<Fault> result;
   for (const auto& [place, pairs] : counts) {

@@ -19,7 +19,7 @@ enum class FaultKind {
 struct Fault {
   FaultKind kind = FaultKind::PassesWall;
   BodyPart part = BodyPart::Whole;
-  bool atSleeve = false;  ///< the triangles are nearest to the opening of a sleeve
+  bool atSleeve = false;  ///< of an arm: the triangles are nearest to the opening of a sleeve
   std::size_t pairs = 0;  ///< of triangles that intersect; 0 for an opening
 };
 

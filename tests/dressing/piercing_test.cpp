@@ -50,6 +50,7 @@ TEST(Piercing, namesTheArmThatPassesThroughTheWallOfASleeve) {
   }
   EXPECT_EQ(pairs, found.front().pairs);
   for (const BodyPart arm : {BodyPart::LeftArm, BodyPart::RightArm}) {
+    EXPECT_EQ(std::ranges::count(found.front().faults, arm, &Fault::part), 1);
     EXPECT_TRUE(std::ranges::any_of(found.front().faults,
                                     [&](const Fault& fault) { return fault.part == arm && fault.atSleeve; }));
   }
