@@ -9,6 +9,7 @@
 #include <fmt/printf.h>
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace drape::ui {
 namespace {
@@ -121,7 +122,38 @@ void untangleButton(PanelContext& context) {
               "Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay in place.");
 }
 
+/// The pairs with bodies, and the button that dresses the body.
+void dressRows(PanelContext& context) {
+  if (context.stats.piercing) {
+    valueRow(context, "Triangle pairs with bodies",
+             text::formatCount(static_cast<long long>(context.stats.piercing->pairs)), palette().warning);
+  }
+  if (!hasBodyToDress(context.snapshot)) {
+    return;
+  }
+  if (ImGui::Button(dressWord(context.snapshot), {ImGui::GetContentRegionAvail().x, 0.0F})) {
+    context.output.requests.emplace_back(UiAction::Dress);
+  }
+  context.buttons["dress"] = lastItemRect();
+  explainItem(context, "dress", dressHelp);
+}
+
 }  // namespace
+
+bool hasBodyToDress(const session::Snapshot& snapshot) {
+  const std::vector<sim::contact::Body>& bodies = *snapshot.scene->bodies;
+  for (std::size_t i = 0; i < bodies.size() && i < snapshot.bodies.size(); ++i) {
+    const bool hasInside = !std::holds_alternative<sim::contact::PlaneShape>(bodies[i].shape);
+    if (hasInside && bodies[i].drawn && snapshot.bodies[i].on) {
+      return true;
+    }
+  }
+  return false;
+}
+
+const char* dressWord(const session::Snapshot& snapshot) {
+  return snapshot.placedStart != nullptr || snapshot.step > 0 ? "Dress again" : "Dress";
+}
 
 int intersectingPairsOf(const session::Snapshot& snapshot) {
   return std::max(snapshot.stepReport.contact.intersections, static_cast<int>(snapshot.intersections.size()));
@@ -152,6 +184,7 @@ void contactRows(PanelContext& context) {
   } else {
     bodyRows(context);
     reportRows(context);
+    dressRows(context);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace drape::ui {
@@ -12,7 +13,8 @@ namespace {
 
 constexpr const char* explanation =
     "The other meshes become bodies that the cloth meets.\n"
-    "They are read in the unit of the cloth and stay where their files put them.";
+    "Open reads them in the unit of the cloth and leaves all where the files put it.\n"
+    "Dress puts the cloth on the body and removes all intersections.";
 
 /// The names of what can be the cloth.
 std::vector<std::string> namesOfChoices(const DroppedFiles& files) {
@@ -78,12 +80,23 @@ bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles&
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
   ImGui::SameLine();
+  const bool dress = iconButton(context, "drop.dress", Icon::None, "Dress", width);
+  bool alone = false;
+  if (!files.alone.empty()) {
+    ImGui::SameLine();
+    alone = iconButton(context, "drop.alone", Icon::None, fitted("Only " + shortName(files.alone), width), width);
+  }
+  ImGui::SameLine();
   const bool cancel = iconButton(context, "drop.cancel", Icon::None, "Cancel (Esc)", width);
-  if (open) {
-    context.output.requests.emplace_back(OpenPartsRequest{partsWithCloth(files, cloth)});
+  if (open || dress) {
+    scene::SceneParts parts = partsWithCloth(files, cloth);
+    parts.dressed = dress;
+    context.output.requests.emplace_back(OpenPartsRequest{std::move(parts)});
+  } else if (alone) {
+    context.output.requests.emplace_back(OpenPartsRequest{{.scene = files.alone}});
   }
   endDialog();
-  return !open && !cancel;
+  return !open && !dress && !alone && !cancel;
 }
 
 }  // namespace drape::ui

@@ -19,6 +19,10 @@ bool hasBodyName(const std::string& file) {
                      [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
 
+bool hasMeshBody(const scene::SceneDescription& scene) {
+  return std::ranges::any_of(scene.bodies, [](const scene::BodyDescription& body) { return !body.meshes.empty(); });
+}
+
 std::string listOf(const std::vector<std::string>& files) {
   std::string names;
   for (const std::string& file : files) {
@@ -58,6 +62,25 @@ DroppedFiles sortDropped(const std::vector<std::string>& files) {
   return sorted;
 }
 
+DroppedFiles joinedWith(const scene::SceneDescription& present, DroppedFiles files) {
+  if (files.meshes.size() != 1 || !files.scenes.empty()) {
+    return files;
+  }
+  const std::string dropped = files.meshes.front();
+  const std::string cloth = present.parts.cloth.empty() ? present.parts.scene : present.parts.cloth;
+  if (present.opened && present.bodies.empty() && hasBodyName(dropped) && cloth != dropped) {
+    files.meshes = {cloth, dropped};
+  } else if (present.opened && !present.parts.bodies.empty() && !hasBodyName(dropped)) {
+    files.meshes.insert(files.meshes.end(), present.parts.bodies.begin(), present.parts.bodies.end());
+  } else if (!present.opened && hasMeshBody(present) && !hasBodyName(dropped)) {
+    files.scenes = {present.parts.scene};
+  } else {
+    return files;
+  }
+  files.alone = dropped;
+  return files;
+}
+
 DropDecision decide(const DroppedFiles& files) {
   DropDecision decision;
   if (files.scenes.size() > 1) {
@@ -95,6 +118,9 @@ scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
 }
 
 std::size_t likelyCloth(const DroppedFiles& files) {
+  if (!files.alone.empty()) {
+    return 0;
+  }
   if (!files.scenes.empty()) {
     return files.meshes.size();
   }

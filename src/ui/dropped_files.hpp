@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene_parts.hpp"
+#include "scene/scene.hpp"
 
 #include <optional>
 #include <string>
@@ -13,10 +13,16 @@ struct DroppedFiles {
   std::vector<std::string> scenes;
   std::vector<std::string> meshes;
   std::vector<std::string> others;  ///< neither, by their endings
+  /// The only dropped one, where the others are in the window already. It can be opened alone too. Else empty.
+  std::string alone = {};
 };
 
 /// Sorts files by their endings; the order within each kind stays.
 [[nodiscard]] DroppedFiles sortDropped(const std::vector<std::string>& files);
+
+/// A mesh that is dropped alone may go with what is in the window: a body with the garment that was opened from a file,
+/// or a garment with the body of the scene. Then the result has both, and the user must say what to do.
+[[nodiscard]] DroppedFiles joinedWith(const scene::SceneDescription& present, DroppedFiles files);
 
 /// The next step for dropped files.
 struct DropDecision {
@@ -33,8 +39,8 @@ struct DropDecision {
 /// cloth of the scene and makes bodies of all of them.
 [[nodiscard]] scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth);
 
-/// The index of the mesh that is most likely the cloth: the first without a name of a body. With a scene it is the
-/// index after the meshes, since the scene has a cloth.
+/// The index of the mesh that is most likely the cloth: the first without a name of a body. With a dropped scene it is
+/// the index after the meshes, since the scene has a cloth.
 [[nodiscard]] std::size_t likelyCloth(const DroppedFiles& files);
 
 /// The file's name without its folder.

@@ -122,6 +122,20 @@ void loadingNotice(PanelContext& context, OverlayStack& stack) {
   stack.end();
 }
 
+void dressingNotice(PanelContext& context, OverlayStack& stack) {
+  const DressingProgress& progress = *context.stats.dressing;
+  const float line = ImGui::GetFontSize();
+  stack.begin("dressing");
+  ImGui::TextUnformatted(progress.words.c_str());
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette().accent);
+  ImGui::ProgressBar(static_cast<float>(progress.share), {std::min(stack.textWidth(), 20.0F * line), 0.3F * line}, "");
+  ImGui::PopStyleColor();
+  if (iconButton(context, "cancel_dressing", Icon::None, "Cancel (Esc)", 8.0F * line)) {
+    context.output.requests.emplace_back(UiAction::CancelDressing);
+  }
+  stack.end();
+}
+
 void dragHint(OverlayStack& stack) {
   stack.begin("drag", OverlayStack::Mouse::LetThrough);
   ImGui::TextUnformatted("Drag the cloth. F1: help");

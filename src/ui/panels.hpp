@@ -18,6 +18,16 @@ void materialRows(PanelContext& context);
 void contactRows(PanelContext& context);
 [[nodiscard]] bool contactMatters(const PanelContext& context);
 
+/// Whether a body of the scene can be dressed: it is drawn and switched on, and has an inside.
+[[nodiscard]] bool hasBodyToDress(const session::Snapshot& snapshot);
+
+/// The word on the button that dresses the body: "Dress", or "Dress again" once that was done or the cloth moved.
+[[nodiscard]] const char* dressWord(const session::Snapshot& snapshot);
+
+/// What that button does.
+inline constexpr const char* dressHelp =
+    "Puts the cloth on the body and removes all intersections, without pins. The clock waits meanwhile.";
+
 /// The number of pairs of triangles of the cloth that are known to intersect.
 [[nodiscard]] int intersectingPairsOf(const session::Snapshot& snapshot);
 
@@ -61,6 +71,9 @@ double statusLine(PanelContext& context, const UiRect& place);
 /// The file or scene in progress, and how far it is.
 void loadingNotice(PanelContext& context, OverlayStack& stack);
 
+/// The dressing that is under way, how far it is, and a button that cancels it.
+void dressingNotice(PanelContext& context, OverlayStack& stack);
+
 /// The export that is under way, how far it is, and a button that cancels it.
 void exportNotice(PanelContext& context, OverlayStack& stack);
 
@@ -80,14 +93,15 @@ void pickedPanel(PanelContext& context, const UiRect& view);
 void dragHint(OverlayStack& stack);
 
 /// The open questions, one line each until the user answers: how a mesh file was read, pins on all vertices or none,
-/// and overstretched cloth. Each line has a button for the remedy and one that accepts the present state.
+/// overstretched cloth, and a body that passes through the cloth. Each line has a button for the remedy and one that
+/// accepts the present state.
 void readingNotice(PanelContext& context, OverlayStack& stack);
 
 /// The list of keys and mouse gestures over the picture. False once the user closed it.
 [[nodiscard]] bool helpOverlay(PanelContext& context, const UiRect& view);
 
-/// Asks which of several files is the cloth: the index of a mesh, or of the scene after the meshes. The answer is an
-/// OpenPartsRequest. False once it is answered.
+/// Asks which of several files is the cloth: the index of a mesh, or of the scene after the meshes; and whether the
+/// others are only opened with it, or wear it. The answer is an OpenPartsRequest. False once it is answered.
 [[nodiscard]] bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files,
                                 std::size_t& cloth);
 

@@ -12,11 +12,12 @@ namespace {
 
 /// A change that a line offers.
 struct Offer {
-  std::string name;   ///< of the button: "reading.unit=m"
-  std::string label;  ///< the text of the button
-  std::string help;   ///< its effect
-  const settings::SettingInfo* setting = nullptr;
-  std::string value;
+  std::string name;                                ///< of the button: "reading.unit=m"
+  std::string label;                               ///< the text of the button
+  std::string help;                                ///< its effect
+  const settings::SettingInfo* setting = nullptr;  ///< that it changes; null: it requests the action
+  std::string value = {};
+  UiAction action = UiAction::Dress;
 };
 
 /// A line that stays until the user answers it.
@@ -25,6 +26,7 @@ struct Line {
   std::string text;
   ImVec4 colour;
   std::vector<Offer> offers;
+  std::string subject = text;  ///< a line with another subject is another question
 };
 
 Line readingLine(const scene::MeshReading& reading) {
@@ -48,9 +50,18 @@ Line adviceLine(const std::string& name, const scene::Advice& advice) {
   return line;
 }
 
+/// A body that passes through the cloth. The numbers change while the cloth moves; the question does not.
+Line piercingLine(const PanelContext& context) {
+  Line line{"pierced.accept", context.stats.piercing->text + ".", palette().warning, {}, "pierced"};
+  if (hasBodyToDress(context.snapshot)) {
+    line.offers.push_back({"pierced.dress", dressWord(context.snapshot), dressHelp});
+  }
+  return line;
+}
+
 /// The key under which an answered line is stored. Another scene or reading has another key.
 std::string keyOf(const PanelContext& context, const Line& line) {
-  return context.snapshot.scene->description.name + '\n' + line.text;
+  return context.snapshot.scene->description.name + '\n' + line.subject;
 }
 
 std::vector<Line> linesOf(const PanelContext& context) {
@@ -64,6 +75,9 @@ std::vector<Line> linesOf(const PanelContext& context) {
   }
   if (context.snapshot.overstretched && settings::findSetting(context.snapshot.overstretched->advice.key) != nullptr) {
     lines.push_back(adviceLine("stretch", context.snapshot.overstretched->advice));
+  }
+  if (context.stats.piercing && !context.stats.dressing) {
+    lines.push_back(piercingLine(context));
   }
   std::erase_if(lines, [&](const Line& line) { return context.memory.accepted.contains(keyOf(context, line)); });
   return lines;
@@ -96,7 +110,11 @@ void drawLine(PanelContext& context, const Line& line, float width, bool beside)
     ImGui::SameLine();
   }
   for (const Offer& offer : line.offers) {
-    if (button(context, offer.name, offer.label, offer.help)) {
+    if (!button(context, offer.name, offer.label, offer.help)) {
+      // Not pressed.
+    } else if (offer.setting == nullptr) {
+      context.output.requests.emplace_back(offer.action);
+    } else {
       changeSetting(context, *offer.setting, valueOf(*offer.setting, offer.value));
     }
     ImGui::SameLine();

@@ -53,11 +53,12 @@ std::span<const Shortcut> shortcuts() {
       Shortcut{Key::None, "", "light or dark panels", UiAction::NextTheme},
       Shortcut{Key::None, "", "untangle the cloth",
                [](const session::Snapshot&) -> session::Command { return session::UntangleCommand{}; }},
+      Shortcut{Key::None, "", "dress the body with the cloth", UiAction::Dress},
       Shortcut{Key::F12, "F12", "save a picture", UiAction::Screenshot},
       Shortcut{Key::E, "E", "save the cloth (OBJ)", UiAction::SaveCloth},
       Shortcut{Key::E, "Ctrl+E", "export a frame, the motion or a film", UiAction::ShowExport, false, true},
       Shortcut{Key::Help, "F1   ?", "this list", UiAction::ToggleHelp},
-      Shortcut{Key::Escape, "Esc", "release, close, stop reading a file, quit", UiAction::Quit},
+      Shortcut{Key::Escape, "Esc", "release, close, stop dressing or reading a file, quit", UiAction::Quit},
   };
   return table;
 }

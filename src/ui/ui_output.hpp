@@ -110,9 +110,11 @@ enum class UiAction {
   KeepView2,
   KeepView3,
   KeepView4,
-  ShowExport,    ///< the panel of exports
-  CancelExport,  ///< that is under way
-  SaveProbes,    ///< the values at the picked vertices
+  ShowExport,      ///< the panel of exports
+  CancelExport,    ///< that is under way
+  Dress,           ///< a body of the scene with the cloth
+  CancelDressing,  ///< that is under way
+  SaveProbes,      ///< the values at the picked vertices
   FrameCloth,
   ViewFront,
   ViewRight,
@@ -155,6 +157,18 @@ struct CameraStatus {
   std::array<bool, keptViewCount> hasView{};  ///< which views are kept
 };
 
+/// Bodies that pass through the cloth.
+struct PiercingNotice {
+  std::string text;  ///< which part of which body, and how many pairs of triangles; one sentence without a full stop
+  std::size_t pairs = 0;  ///< of triangles of cloth and bodies that intersect
+};
+
+/// Dressing that is under way.
+struct DressingProgress {
+  std::string words;   ///< what it does
+  double share = 0.0;  ///< of that, from 0 to 1
+};
+
 /// Data of the panels besides the snapshot.
 struct UiStats {
   double frameSeconds = 0.0;             ///< between two drawn frames, recently [s]
@@ -166,6 +180,8 @@ struct UiStats {
   std::vector<std::string> recentFiles;  ///< that were opened before, the newest first
   SelectionView selection;
   CameraStatus camera;
+  std::optional<PiercingNotice> piercing;     ///< empty: no body passes through the cloth
+  std::optional<DressingProgress> dressing;   ///< empty: no dressing is under way
   std::optional<ExportProgress> exporting;    ///< empty: no export is under way
   const fields::ShownField* field = nullptr;  ///< the colour map of this picture; null: there is none
   fields::SnapshotFields* fields = nullptr;   ///< computes the values at picked vertices; null: none can be picked

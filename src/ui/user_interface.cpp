@@ -123,6 +123,9 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (!panel.stats.loading.empty()) {
     loadingNotice(panel, stack);
   }
+  if (panel.stats.dressing) {
+    dressingNotice(panel, stack);
+  }
   if (panel.stats.exporting) {
     exportNotice(panel, stack);
   }

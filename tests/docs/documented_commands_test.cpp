@@ -127,7 +127,9 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
     std::string program;
     std::string first;
     words >> program >> first;
-    const bool subcommand = command.program == "drape-headless" && first.find_first_of("-[.A") != 0;
+    // The window has one subcommand only.
+    const bool subcommand =
+        first == "dress" || (command.program == "drape-headless" && first.find_first_of("-[.A") != 0);
     ASSERT_EQ(shell(command.program + (subcommand ? " " + first : "") + " --help"), 0) << contentOf(output());
     const std::string help = contentOf(output());
     const std::regex option("--[a-z-]+");

@@ -71,5 +71,58 @@ TEST(DroppedFiles, OfTheSameNameAreDistinguishedByTheirFolders) {
             (std::vector<std::string>{"coat.obj (summer)", "coat.obj (winter)", "body.obj"}));
 }
 
+/// A garment that was opened from a file.
+scene::SceneDescription openedGarment() {
+  scene::SceneDescription scene;
+  scene.opened = true;
+  scene.parts.scene = "/a/coat.obj";
+  return scene;
+}
+
+scene::BodyDescription meshBody() {
+  scene::BodyDescription body;
+  body.meshes = {{"figure.obj", true}};
+  return body;
+}
+
+TEST(DroppedFiles, ABodyGoesWithTheGarmentThatIsOpen) {
+  const DroppedFiles files = joinedWith(openedGarment(), sortDropped({"/a/mannequin.obj"}));
+  EXPECT_EQ(files.alone, "/a/mannequin.obj");
+  EXPECT_TRUE(decide(files).ask);
+  const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  EXPECT_EQ(parts.cloth, "/a/coat.obj");
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/mannequin.obj"}));
+}
+
+TEST(DroppedFiles, AGarmentGoesWithTheBodyOfTheScene) {
+  scene::SceneDescription present;
+  present.parts.scene = "walk";
+  present.bodies = {meshBody()};
+  const DroppedFiles files = joinedWith(present, sortDropped({"/a/coat.obj"}));
+  EXPECT_TRUE(decide(files).ask);
+  const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  EXPECT_EQ(parts.scene, "walk");
+  EXPECT_EQ(parts.cloth, "/a/coat.obj");
+}
+
+TEST(DroppedFiles, AnotherGarmentGoesWithTheBodyThatWasOpenedWithTheFirst) {
+  scene::SceneDescription present = openedGarment();
+  present.parts = {.cloth = "/a/coat.obj", .bodies = {"mannequin"}, .dressed = true};
+  present.bodies = {meshBody()};
+  const DroppedFiles files = joinedWith(present, sortDropped({"/a/shirt.obj"}));
+  const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  EXPECT_TRUE(parts.scene.empty());
+  EXPECT_EQ(parts.cloth, "/a/shirt.obj");
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"mannequin"}));
+}
+
+TEST(DroppedFiles, AGarmentAfterAGarmentIsOpenedAtOnce) {
+  EXPECT_TRUE(decide(joinedWith(openedGarment(), sortDropped({"/a/shirt.obj"}))).open);
+  scene::SceneDescription bare;
+  bare.parts.scene = "flag";
+  EXPECT_TRUE(decide(joinedWith(bare, sortDropped({"/a/shirt.obj"}))).open);
+  EXPECT_TRUE(decide(joinedWith(bare, sortDropped({"/a/body.obj"}))).open);
+}
+
 }  // namespace
 }  // namespace drape::ui

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "dressing/dressing.hpp"
+#include "dressing/piercing.hpp"
+#include "scene/scene.hpp"
 
 #include <string>
 #include <vector>
@@ -18,6 +20,31 @@ namespace drape::app {
 
 /// How the garment was placed: "placed by neck, sleeves or waist".
 [[nodiscard]] std::string inWords(dressing::PlacementRule rule);
+
+/// What dressing does at the moment: "growing the body".
+[[nodiscard]] std::string inWords(dressing::Stage stage);
+
+/// A body that passes through the cloth: "The right arm passes through the sleeve's wall: 35 pairs of triangles".
+[[nodiscard]] std::string inWords(const dressing::Piercing& piercing, const scene::Scene& scene);
+
+/// Several of them; the first one in full. Without a full stop. @param piercings at least one
+[[nodiscard]] std::string inWords(const std::vector<dressing::Piercing>& piercings, const scene::Scene& scene);
+
+/// How a garment that can be worn was placed, and the intersections before and after: "placed as in its file; 12 pairs
+/// of triangles ... intersected there, and no triangles at the end".
+[[nodiscard]] std::string summaryOf(const dressing::Dressed& result);
+
+/// Why a garment cannot be worn, in whole sentences. @param garment its name
+[[nodiscard]] std::string refusalOf(const dressing::Dressed& result, const std::string& garment);
+
+/// The names of a garment and a body for messages.
+struct WearNames {
+  std::string garment;
+  std::string body;
+};
+
+/// Throws InputError if the meshes cannot be dressed: says why and what to do. @param garment, body in the scene [m]
+void requireDressable(const WearNames& names, const sim::ClothMesh& garment, const sim::ClothMesh& body);
 
 /// What is wrong and what to do. Empty for Misfit::None.
 /// @param garment, body their names  @param garmentSide, bodySide their largest extents [m]

@@ -117,6 +117,9 @@ std::string ExportJob::write() {
 
 /// Gives the simulation what the user chose, its beginning, and a time step that fits the frames.
 void ExportJob::prepare(session::Simulation& simulation) {
+  if (order_.placedStart) {
+    simulation.apply(session::PlaceClothCommand{*order_.placedStart, true});
+  }
   session::Snapshot opened;
   simulation.capture(opened);
   const auto apply = [&](const session::Command& command) { simulation.apply(command); };

@@ -24,8 +24,10 @@ namespace drape::app {
 /// What an export simulates and writes.
 struct ExportOrder {
   ui::ExportRequest request;
-  std::string file;                               ///< its name, see exportName()
-  std::shared_ptr<const scene::Scene> scene;      ///< never null
+  std::string file;                           ///< its name, see exportName()
+  std::shared_ptr<const scene::Scene> scene;  ///< never null
+  /// Where a dressed cloth starts [m]; null: as the scene has it.
+  std::shared_ptr<const std::vector<Vec3>> placedStart;
   session::UserState user;                        ///< the user's settings, pins and bodies
   std::future<session::RecordedState> beginning;  ///< the present state; invalid: the export begins with the scene
 };

@@ -52,6 +52,10 @@ int main(int argc, char** argv) {
   app.add_flag("--no-settings", noSettings,
                "Neither read nor write the preferences of the window: its size and place, theme, sections and recent "
                "files");
+  auto* dress = app.add_subcommand("dress", "Opens the window with a garment on a body, without intersections");
+  drape::app::DressingChoices dressing;
+  dressing.addTo(*dress);
+  dress->fallthrough();  // the options of the window may follow
   app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
   app.footer(drape::app::StatusFile::help);
   return drape::app::runProgram(app, argc, argv, [&] {
@@ -60,7 +64,10 @@ int main(int argc, char** argv) {
     }
     // The first save creates a list that does not exist yet.
     auto fabrics = drape::app::readFabricList(scene.fabrics, drape::app::FabricList::Missing::Allowed);
-    const auto loaded = scene.load(fabrics.fabrics());
+    if (dress->parsed()) {
+      options.dressing = dressing;
+    }
+    const auto loaded = options.dressing ? dressing.open(scene, fabrics.fabrics()) : scene.load(fabrics.fabrics());
     drape::app::PreferencesFile preferences(noSettings ? std::filesystem::path() : drape::app::usualPreferencesFile());
     drape::app::Viewer viewer(loaded, std::move(fabrics), std::move(preferences), options);
     viewer.run();

@@ -187,6 +187,7 @@ Json describeSimulation(const session::Snapshot& snapshot) {
           {"vertices", snapshot.model->vertexCount()},
           {"pins", ui::countPins(*snapshot.model)},
           {"paused", snapshot.paused},
+          {"placed", snapshot.placedStart != nullptr},
           {"step", snapshot.step},
           {"time", snapshot.time},
           {"settings", toJson(snapshot.settings)},
@@ -228,6 +229,20 @@ Json exportOf(const ui::UiStats& stats) {
   return {{"file", stats.exporting->file}, {"share", stats.exporting->share}};
 }
 
+Json dressingOf(const ui::UiStats& stats) {
+  if (!stats.dressing) {
+    return nullptr;
+  }
+  return {{"words", stats.dressing->words}, {"share", stats.dressing->share}};
+}
+
+Json piercingOf(const ui::UiStats& stats) {
+  if (!stats.piercing) {
+    return nullptr;
+  }
+  return {{"words", stats.piercing->text}, {"pairs", stats.piercing->pairs}};
+}
+
 Json describeAll(const ViewerStatus& status) {
   Json json = describeSimulation(status.snapshot);
   const scene::CameraPose& pose = status.camera.pose();
@@ -254,6 +269,8 @@ Json describeAll(const ViewerStatus& status) {
                        {"vertices", selection.points.size()},
                        {"pinned", selection.pinned}};
   json["export"] = exportOf(status.stats);
+  json["dressing"] = dressingOf(status.stats);
+  json["piercing"] = piercingOf(status.stats);
   PlaceFinder places(status);
   json["free_point"] = places.freePoint();
   json["cloth_points"] = places.clothPoints();

@@ -52,6 +52,9 @@ class StatusFile {
       "  widgets, buttons         rectangles by setting key or name, in window coordinates\n"
       "  cloth_points             places in the window where the cloth can be clicked\n"
       "  free_point               a place in the picture without cloth, or null\n"
+      "  placed                   whether the scene starts where the cloth was dressed\n"
+      "  dressing                 null, or what dressing does in words and its share, 0 to 1\n"
+      "  piercing                 null, or which body passes through the cloth in words, and pairs of triangles\n"
       "  loading, message         the file that is being opened, and the last message\n"
       "  loading_share            progress, 0 to 1; negative: unknown\n"
       "  status                   the text of the status line";

@@ -93,7 +93,10 @@ Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabr
       preferences_(preferencesFile_.values()),
       keepsWindowPlace_(!options.windowSize),
       status_(options.statusFile),
-      simulation_(scene, options.paused),
+      simulation_(scene, options.paused || scene->description.parts.dressed),
+      dressingChoices_(options.dressing),
+      sceneToDress_(scene->description.parts.dressed ? scene : nullptr),
+      wasPaused_(options.paused),
       newScene_(scene) {
   resizeWindow(window_.window(), options, preferences_.window);
   glfwSetWindowSizeLimits(window_.window(), 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -145,6 +148,7 @@ void Viewer::frame() {
   controller_.setView(panels_.view());
   followScene(snapshot);
   takeLoadedScene(snapshot);
+  followDressing(snapshot);
   events_.beginFrame();
   stats_.field = &fieldDisplay_.update(snapshot, fields_);
   stats_.fields = &fields_;
@@ -228,6 +232,14 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     return;
   }
   simulation_.post(session::LoadSceneCommand{outcome->scene});
+  if (outcome->kind == ui::SceneLoader::Kind::Opened) {
+    dressingChoices_.reset();
+  }
+  if (outcome->scene->description.parts.dressed) {
+    wasPaused_ = dressing_ || sceneToDress_ ? wasPaused_ : snapshot.paused;
+    sceneToDress_ = outcome->scene;
+    simulation_.post(session::PauseCommand{true});
+  }
   if (outcome->kind != ui::SceneLoader::Kind::Opened) {
     keepOwnFabrics(snapshot);
   }
@@ -327,7 +339,7 @@ void Viewer::on(const ui::OpenSceneRequest& request, const session::Snapshot& sn
 }
 
 void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snapshot) {
-  const ui::DroppedFiles files = ui::sortDropped(request.files);
+  const ui::DroppedFiles files = ui::joinedWith(snapshot.scene->description, ui::sortDropped(request.files));
   const ui::DropDecision decision = ui::decide(files);
   if (decision.open) {
     on(ui::OpenPartsRequest{*decision.open}, snapshot);
@@ -414,6 +426,12 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
         export_->cancel();
       }
       break;
+    case ui::UiAction::Dress:
+      dress(snapshot);
+      break;
+    case ui::UiAction::CancelDressing:
+      cancelDressing();
+      break;
     case ui::UiAction::SaveProbes:
       saveProbes(snapshot);
       break;
@@ -476,6 +494,9 @@ void Viewer::resetAll(const session::Snapshot& snapshot) {
   if (settings::differingSettings(scene.settings, own).empty()) {
     simulation_.post(session::LoadSceneCommand{snapshot.scene});
     keepOwnFabrics(snapshot);
+    if (snapshot.placedStart) {
+      simulation_.post(session::PlaceClothCommand{*snapshot.placedStart, true});
+    }
   } else {
     loader_.rebuild(scene.description, own, ui::SceneLoader::Kind::Restored);
   }
@@ -489,7 +510,9 @@ void Viewer::keepOwnFabrics(const session::Snapshot& snapshot) {
 }
 
 void Viewer::stopLoadingOrQuit(const session::Snapshot& snapshot) {
-  if (loader_.cancel()) {
+  if (dressing_) {
+    cancelDressing();
+  } else if (loader_.cancel()) {
     showNotice("Stopped. The scene did not change");
   } else {
     quitOrAsk(snapshot);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include "app/dressing/dressing_choices.hpp"
+#include "app/dressing/dressing_job.hpp"
+#include "app/dressing/piercing_watch.hpp"
 #include "app/fabric_list.hpp"
 #include "app/output_file.hpp"
 #include "app/viewer/export_job.hpp"
@@ -32,6 +35,7 @@ struct ViewerOptions {
   bool paused = false;
   std::optional<std::pair<int, int>> windowSize;  ///< [window units]
   std::filesystem::path statusFile;               ///< empty: none
+  std::optional<DressingChoices> dressing;        ///< how the first scene is dressed; empty: as usual
   std::string recordFile;                         ///< of the session log (app/session_log.hpp); empty: none
 };
 
@@ -70,6 +74,12 @@ class Viewer {
   void on(const ui::ExportRequest& request, const session::Snapshot& snapshot);
   [[nodiscard]] std::future<session::RecordedState> presentState();
   void followExport();
+  void dress(const session::Snapshot& snapshot);
+  void beginDressing(const session::Snapshot& snapshot, DressingOrder order, bool isPaused);
+  void followDressing(const session::Snapshot& snapshot);
+  void endDressing(const DressingJob::Outcome& outcome, const session::Snapshot& snapshot);
+  void cancelDressing();
+  [[nodiscard]] DressingOrder orderToOpen(const session::Snapshot& snapshot) const;
   void saveProbes(const session::Snapshot& snapshot);
   void followPicks();
   void followCamera(const session::Snapshot& snapshot);
@@ -115,6 +125,12 @@ class Viewer {
   session::SimulationThread simulation_;
   std::optional<FilmPainter> filmPainter_;  ///< of the film that is written
   std::unique_ptr<ExportJob> export_;       ///< null: none is under way
+  PiercingWatch piercings_;
+  std::optional<DressingChoices> dressingChoices_;    ///< of the command line, until another scene is opened
+  std::shared_ptr<const scene::Scene> sceneToDress_;  ///< opened to be dressed, and not shown yet; the clock waits
+  std::shared_ptr<const scene::Scene> dressedScene_;  ///< of the dressing that is under way
+  bool wasPaused_ = false;                            ///< before the dressing
+  std::unique_ptr<DressingJob> dressing_;             ///< null: none is under way
 
   std::shared_ptr<const scene::Scene> shownScene_;   ///< the title bar has its name
   std::shared_ptr<const scene::Scene> openedScene_;  ///< the last opened scene, before any change of its settings

@@ -22,7 +22,7 @@ void Viewer::on(const ui::ExportRequest& request, const session::Snapshot& snaps
       showNotice("Saved " + file);
       return;
     }
-    ExportOrder order{request, file, snapshot.scene, undo_.present(), {}};
+    ExportOrder order{request, file, snapshot.scene, snapshot.placedStart, undo_.present(), {}};
     if (request.start == ui::ExportRequest::Start::Present) {
       order.beginning = presentState();
     }

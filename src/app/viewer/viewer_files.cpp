@@ -97,6 +97,9 @@ void Viewer::on(const ui::SaveSceneRequest& request, const session::Snapshot& sn
     for (const std::string& note : saveScene(*snapshot.scene, sceneNow(state, snapshot), file, Existing::Replaced)) {
       notice += ". " + note;
     }
+    if (snapshot.placedStart) {
+      notice += ". It starts with the garment as its mesh file has it; press Dress there again";
+    }
     savedFile_ = file;
     savedState_ = state;
     noteFile(file);
@@ -187,8 +190,6 @@ void Viewer::takeChosenFiles(const session::Snapshot& snapshot) {
   if (!outcome->error.empty()) {
     panels_.showOpenField();
     showNotice(outcome->error + ". Type the path in the field \"Open a file\"");
-  } else if (outcome->files.size() == 1) {
-    on(ui::OpenSceneRequest{outcome->files.front()}, snapshot);
   } else if (!outcome->files.empty()) {
     on(ui::DroppedRequest{outcome->files}, snapshot);
   }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/command_line.hpp"
+#include "dressing/dressing.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace drape::app {
+
+/// What to dress and how: the arguments "GARMENT BODY --place ..." that the commands `dress` of both programs share.
+struct DressingChoices {
+  std::string garment;        ///< a mesh file, or "builtin:tshirt.obj"
+  std::string body;           ///< a mesh file, "mannequin" or "figure"
+  std::string rule = "auto";  ///< of the placement
+  std::vector<double> move;   ///< x, y, z [m]; empty: none
+  double turn = 0.0;          ///< about the vertical [degrees]
+  double scale = 1.0;         ///< of the garment [-]
+  double maxSeconds = 4.0;    ///< of the simulation after the body has its full size [s]
+
+  void addTo(CLI::App& app);
+
+  /// Builds the scene of garment and body. A garment that is scaled has another unit there. Throws InputError.
+  /// @param arguments settings; its scene is not used  @param own the user's fabrics
+  [[nodiscard]] std::shared_ptr<const scene::Scene> open(const SceneArguments& arguments,
+                                                         const settings::OwnFabrics& own = {}) const;
+
+  /// @param settings of that scene
+  [[nodiscard]] dressing::DressingOptions options(const settings::Settings& settings) const;
+};
+
+}  // namespace drape::app

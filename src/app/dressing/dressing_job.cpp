@@ -1,0 +1,88 @@
+#include "app/dressing/dressing_job.hpp"
+
+#include "messages/error.hpp"
+#include "messages/sim_error_text.hpp"
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace drape::app {
+namespace {
+
+struct Cancelled {};
+
+bool isRight(const dressing::Dressed& result) {
+  return result.fits && result.after.all() == 0 && result.faults.empty();
+}
+
+constexpr const char* advice = " Move the body or the garment, or scale one of them.";
+
+}  // namespace
+
+DressingJob::DressingJob(DressingOrder order) : order_(std::move(order)) {
+  running_ = std::async(std::launch::async, [this] { return run(); });
+}
+
+DressingJob::~DressingJob() {
+  cancel();
+}
+
+std::optional<DressingJob::Outcome> DressingJob::poll() {
+  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return std::nullopt;
+  }
+  return running_.get();
+}
+
+DressingJob::Outcome DressingJob::run() {
+  try {
+    return dressFirstThatFits();
+  } catch (const Cancelled&) {
+    return {"Dressing was cancelled", false, std::nullopt};
+  } catch (const std::bad_alloc&) {
+    return {"Not enough memory to dress the body. Use smaller meshes.", true, std::nullopt};
+  } catch (const std::exception& error) {
+    return {messages::messageOf(error), true, std::nullopt};
+  }
+}
+
+/// The result of the first attempt that leaves nothing wrong. Else the last one that can be worn, or the reason why
+/// none can.
+DressingJob::Outcome DressingJob::dressFirstThatFits() {
+  const auto model = sim::withPins(*order_.model, std::vector<bool>(order_.model->pinned.size(), false));
+  std::optional<Outcome> worn;
+  std::string refusal;
+  for (const DressingAttempt& attempt : order_.attempts) {
+    requireDressable(order_.names, {attempt.start, model->triangles}, attempt.body);
+    dressing::Dressed result = dressBy(*model, attempt);
+    if (!result.fits) {
+      refusal = refusalOf(result, order_.names.garment) + advice;
+      continue;
+    }
+    const std::string summary = order_.names.garment + " on " + order_.names.body + ": " + summaryOf(result);
+    const bool right = isRight(result);
+    Outcome outcome{right ? "Dressed " + summary : "Not all is right with " + summary + "." + advice, !right,
+                    session::PlaceClothCommand{std::move(result.positions), attempt.isStart}};
+    if (right) {
+      return outcome;
+    }
+    worn = std::move(outcome);
+  }
+  return worn ? *std::move(worn) : Outcome{refusal, true, std::nullopt};
+}
+
+dressing::Dressed DressingJob::dressBy(const sim::ClothModel& model, const DressingAttempt& attempt) {
+  dressing::DressingOptions options = order_.options;
+  options.rule = attempt.rule;
+  options.progress = [this](dressing::Stage stage, double share) {
+    if (stop_.stop_requested()) {
+      throw Cancelled();
+    }
+    stage_ = stage;
+    share_ = share;
+  };
+  return dressing::dress(model, attempt.start, attempt.body, options);
+}
+
+}  // namespace drape::app

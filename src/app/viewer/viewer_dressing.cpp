@@ -1,0 +1,178 @@
+// Dressing in the window, and bodies that pass through the cloth.
+#include "app/viewer/viewer.hpp"
+#include "sim/model/bounds.hpp"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace drape::app {
+namespace {
+
+using dressing::PlacedBody;
+using dressing::PlacementRule;
+
+double sizeOf(const PlacedBody& body) {
+  return sim::boundsOf(body.mesh.positions).sizes().norm();
+}
+
+/// The body to dress: the one that passes through the cloth most, else the largest that can be dressed, else the
+/// largest. Null if there is none.
+const PlacedBody* bodyToDress(const std::vector<PlacedBody>& bodies, const session::Snapshot& snapshot,
+                              const std::vector<dressing::Piercing>& piercings) {
+  std::vector<const PlacedBody*> candidates;
+  for (const PlacedBody& body : bodies) {
+    if ((*snapshot.scene->bodies)[body.body].drawn) {
+      candidates.push_back(&body);
+    }
+  }
+  std::ranges::stable_sort(candidates, std::greater(), [](const PlacedBody* body) { return sizeOf(*body); });
+  const sim::ClothMesh cloth{snapshot.positions, snapshot.model->triangles};
+  std::stable_partition(candidates.begin(), candidates.end(), [&](const PlacedBody* body) {
+    return dressing::misfitOf(cloth, body->mesh) == dressing::Misfit::None;
+  });
+  for (const dressing::Piercing& piercing : piercings) {
+    const auto found =
+        std::ranges::find_if(candidates, [&](const PlacedBody* body) { return body->body == piercing.body; });
+    if (found != candidates.end()) {
+      return *found;
+    }
+  }
+  return candidates.empty() ? nullptr : candidates.front();
+}
+
+DressingOrder orderFor(const session::Snapshot& snapshot, std::size_t body) {
+  DressingOrder order;
+  order.names = {snapshot.scene->description.name, (*snapshot.scene->bodies)[body].name};
+  order.model = snapshot.model;
+  order.options.step = snapshot.settings.step;
+  return order;
+}
+
+/// The meshes of one body among several.
+const PlacedBody& placed(const std::vector<PlacedBody>& bodies, std::size_t body) {
+  return *std::ranges::find(bodies, body, &PlacedBody::body);
+}
+
+std::size_t sumOfPairs(const std::vector<dressing::Piercing>& piercings) {
+  std::size_t sum = 0;
+  for (const dressing::Piercing& piercing : piercings) {
+    sum += piercing.pairs;
+  }
+  return sum;
+}
+
+}  // namespace
+
+/// Dresses the body as it is now where it passes through the moving cloth: so the motion goes on. Else, or where that
+/// fails, dresses the body at the start.
+void Viewer::dress(const session::Snapshot& snapshot) {
+  if (dressing_ || sceneToDress_) {
+    return;
+  }
+  stats_.error.clear();
+  const PiercingWatch::Found& found = piercings_.found();
+  const std::vector<PlacedBody> now = bodiesOf(snapshot);
+  const PlacedBody* body = bodyToDress(now, snapshot, found.piercings);
+  if (body == nullptr) {
+    showNotice("There is no body to dress. Drop the file of one on the window");
+    return;
+  }
+  DressingOrder order = orderFor(snapshot, body->body);
+  const sim::ClothMesh atStart = placed(dressing::bodiesAtStart(*snapshot.scene), body->body).mesh;
+  const std::vector<Vec3>& start = snapshot.scene->start.positions;
+  if (!found.piercings.empty() && !found.isStart) {
+    order.attempts.push_back({snapshot.positions, body->mesh, PlacementRule::File, false});
+  }
+  if (!found.piercings.empty()) {
+    order.attempts.push_back({start, atStart, PlacementRule::File, true});
+  }
+  // Several garments keep their places relative to each other, and so do those that a scene file has placed.
+  const bool isOneGarment = snapshot.scene->cloths.size() == 1;
+  if (isOneGarment || order.attempts.empty()) {
+    order.attempts.push_back({start, atStart, isOneGarment ? PlacementRule::Auto : PlacementRule::File, true});
+  }
+  beginDressing(snapshot, std::move(order), snapshot.paused);
+}
+
+/// Dresses a scene that was opened for that, by the choices of the command line if there are any.
+DressingOrder Viewer::orderToOpen(const session::Snapshot& snapshot) const {
+  const std::vector<PlacedBody> bodies = dressing::bodiesAtStart(*snapshot.scene);
+  const PlacedBody* body = bodyToDress(bodies, snapshot, {});
+  DressingOrder order;
+  if (body == nullptr) {
+    return order;
+  }
+  order = orderFor(snapshot, body->body);
+  PlacementRule rule = PlacementRule::Auto;
+  if (dressingChoices_) {
+    order.options = dressingChoices_->options(snapshot.settings);
+    rule = order.options.rule;
+  }
+  order.attempts.push_back({snapshot.scene->start.positions, body->mesh, rule, true});
+  return order;
+}
+
+void Viewer::beginDressing(const session::Snapshot& snapshot, DressingOrder order, bool isPaused) {
+  wasPaused_ = isPaused;
+  dressedScene_ = snapshot.scene;
+  simulation_.post(session::PauseCommand{true});
+  dressing_ = std::make_unique<DressingJob>(std::move(order));
+}
+
+void Viewer::followDressing(const session::Snapshot& snapshot) {
+  piercings_.follow(snapshot, Clock::now());
+  const std::vector<dressing::Piercing>& piercings = piercings_.found().piercings;
+  stats_.piercing.reset();
+  if (!piercings.empty()) {
+    stats_.piercing = {inWords(piercings, *snapshot.scene), sumOfPairs(piercings)};
+  }
+  if (sceneToDress_ && snapshot.scene == sceneToDress_) {
+    sceneToDress_.reset();
+    DressingOrder order = orderToOpen(snapshot);
+    if (!order.attempts.empty()) {
+      beginDressing(snapshot, std::move(order), wasPaused_);
+    }
+  }
+  stats_.dressing.reset();
+  if (!dressing_) {
+    return;
+  }
+  if (snapshot.scene != dressedScene_) {
+    dressing_.reset();  // another scene was opened meanwhile
+    return;
+  }
+  lastChange_ = Clock::now();
+  const DressingJob::Progress progress = dressing_->progress();
+  stats_.dressing = {fmt::format("Dressing {}: {}, {:.0f} %", dressing_->names().body, inWords(progress.stage),
+                                 std::floor(100.0 * progress.share)),
+                     progress.share};
+  if (const auto outcome = dressing_->poll()) {
+    dressing_.reset();
+    stats_.dressing.reset();
+    endDressing(*outcome, snapshot);
+  }
+}
+
+/// Shows the garment on the body, and lets the clock go on. A garment that cannot be worn stays where it is.
+void Viewer::endDressing(const DressingJob::Outcome& outcome, const session::Snapshot& snapshot) {
+  if (outcome.placed) {
+    const std::vector<bool>& pinned = snapshot.model->pinned;
+    if (std::ranges::find(pinned, true) != pinned.end()) {
+      simulation_.post(session::SetPinsCommand{});  // pins give way to the body
+    }
+    simulation_.post(*outcome.placed);
+  }
+  outcome.hasFailed ? showError(outcome.message) : showNotice(outcome.message);
+  simulation_.post(session::PauseCommand{wasPaused_});
+}
+
+void Viewer::cancelDressing() {
+  if (dressing_) {
+    dressing_->cancel();
+  }
+}
+
+}  // namespace drape::app

@@ -1,0 +1,221 @@
+// Dressing in the window: dropped files, the command line, and bodies that pass through the cloth.
+#include "intersection/intersections.hpp"
+#include "viewer_driver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace drape::app {
+namespace {
+
+struct Mesh {
+  std::vector<Eigen::Vector3d> positions;
+  std::vector<std::array<int, 3>> triangles;
+};
+
+/// Reads the vertices of an OBJ file, and its polygons as triangles.
+Mesh readObj(const std::filesystem::path& file) {
+  Mesh mesh;
+  std::ifstream text(file);
+  for (std::string line; std::getline(text, line);) {
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword;
+    if (keyword == "v") {
+      Eigen::Vector3d point;
+      words >> point.x() >> point.y() >> point.z();
+      mesh.positions.push_back(point);
+    } else if (keyword == "f") {
+      std::vector<int> corners;
+      for (std::string corner; words >> corner;) {
+        corners.push_back(std::stoi(corner) - 1);
+      }
+      for (std::size_t k = 2; k < corners.size(); ++k) {
+        mesh.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+      }
+    }
+  }
+  return mesh;
+}
+
+std::string meshOfTree(const std::string& name) {
+  return std::string(DRAPE_MESHES) + "/" + name;
+}
+
+/// The pairs of triangles of the garment in a file and a body of the tree that intersect.
+std::size_t pairsIn(const std::filesystem::path& garment, const std::string& body) {
+  const Mesh cloth = readObj(garment);
+  const Mesh solid = readObj(meshOfTree(body));
+  EXPECT_GT(cloth.triangles.size(), 1000U);
+  EXPECT_GT(solid.triangles.size(), 1000U);
+  return intersection::intersectingPairs({cloth.positions, cloth.triangles}, {solid.positions, solid.triangles}).size();
+}
+
+/// Files to drop: a T-shirt that is lower and further in front than it is worn, and a body.
+class Wardrobe {
+ public:
+  [[nodiscard]] std::string shirt() const {
+    const auto file = folder_.path() / "shirt.obj";
+    std::ifstream original(meshOfTree("tshirt.obj"));
+    std::ofstream moved(file);
+    for (std::string line; std::getline(original, line);) {
+      std::istringstream words(line);
+      std::string keyword;
+      Eigen::Vector3d point;
+      if (words >> keyword >> point.x() >> point.y() >> point.z() && keyword == "v") {
+        moved << "v " << point.x() << ' ' << point.y() - 0.03 << ' ' << point.z() + 0.04 << '\n';
+      } else {
+        moved << line << '\n';
+      }
+    }
+    return file.string();
+  }
+  [[nodiscard]] std::string body() const {
+    const auto file = folder_.path() / "mannequin.obj";
+    std::filesystem::copy_file(meshOfTree("mannequin.obj"), file, std::filesystem::copy_options::overwrite_existing);
+    return file.string();
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+bool hasButton(const Json& state, const std::string& name) {
+  return state["buttons"].contains(name);
+}
+
+bool says(const Json& state, const std::string& words) {
+  return state["message"].get<std::string>().find(words) != std::string::npos;
+}
+
+bool isDressed(const Json& state) {
+  return state["placed"].get<bool>() && state["dressing"].is_null();
+}
+
+/// Saves the cloth as it is. Its file has the coordinates of the garment's file.
+std::filesystem::path savedCloth(ViewerDriver& viewer, const std::string& name) {
+  viewer.key("e");
+  viewer.waitUntil("the file of the cloth", [&](const Json& s) { return says(s, name); });
+  return viewer.folder() / name;
+}
+
+TEST(DressingInTheWindow, ABodyThatIsDroppedOnAGarmentWearsItAfterOneClick) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({wardrobe.shirt(), "--paused"});
+  ASSERT_TRUE(viewer.drop({wardrobe.body()}));
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
+  EXPECT_TRUE(hasButton(viewer.state(), "button.drop.alone"));
+  viewer.click(viewer.find("button.drop.dress"));
+  const Json dressed = viewer.waitUntil("the dressed body", isDressed);
+  EXPECT_EQ(dressed["scene"], "shirt.obj");
+  EXPECT_EQ(dressed["pins"], 0);
+  viewer.waitUntil("no body in the cloth", [](const Json& s) { return s["piercing"].is_null(); });
+  EXPECT_TRUE(viewer.state()["paused"].get<bool>()) << "as before";
+  EXPECT_EQ(pairsIn(savedCloth(viewer, "shirt-001.obj"), "mannequin.obj"), 0U);
+}
+
+TEST(DressingInTheWindow, AGarmentThatIsDroppedOnABodyIsWornAfterOneClick) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({"mannequin", "--paused"});
+  ASSERT_TRUE(viewer.drop({wardrobe.shirt()}));
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
+  viewer.click(viewer.find("button.drop.dress"));
+  const Json dressed = viewer.waitUntil("the dressed body", isDressed);
+  EXPECT_EQ(dressed["scene"], "shirt.obj");
+  viewer.waitUntil("no body in the cloth", [](const Json& s) { return s["piercing"].is_null(); });
+}
+
+TEST(DressingInTheWindow, AStartThatABodyPassesThroughIsNamedAndCuredByOneClick) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({"grid", "--paused"});
+  ASSERT_TRUE(viewer.drop({wardrobe.shirt(), wardrobe.body()}));
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.open"); });
+  viewer.click(viewer.find("button.drop.open"));
+  const Json pierced = viewer.waitUntil("the line", [](const Json& s) { return hasButton(s, "pierced.dress"); });
+  EXPECT_EQ(pierced["step"], 0) << "before the run";
+  EXPECT_GT(pierced["piercing"]["pairs"], 100);
+  EXPECT_NE(pierced["piercing"]["words"].get<std::string>().find("arm passes through the sleeve's wall"),
+            std::string::npos)
+      << pierced["piercing"];
+  viewer.click(viewer.find("pierced.dress"));
+  viewer.waitUntil("the dressed body", isDressed);
+  viewer.waitUntil("no line",
+                   [](const Json& s) { return s["piercing"].is_null() && !s["buttons"].contains("pierced.dress"); });
+  EXPECT_EQ(pairsIn(savedCloth(viewer, "shirt-001.obj"), "mannequin.obj"), 0U);
+}
+
+TEST(DressingInTheWindow, AMovingClothThatABodyPassesThroughIsCuredAndGoesOn) {
+  // Without contact for a moment the cloth falls into the body.
+  ViewerDriver viewer({"mannequin", "--paused", "--set", "bodies=off", "--set", "time_step=0.01"});
+  viewer.send({"key", "--repeat", "25", "--delay", "60", "period"});
+  viewer.waitUntil("a fall", [](const Json& s) { return s["step"] > 18; });
+  EXPECT_TRUE(viewer.state()["piercing"].is_null()) << "bodies are off";
+  viewer.click(viewer.find("bodies"));
+  viewer.key("space");
+  viewer.waitUntil("the line", [](const Json& s) { return hasButton(s, "pierced.dress"); });
+  viewer.click(viewer.find("pierced.dress"));
+  viewer.waitUntil("the end", [](const Json& s) { return s["dressing"].is_null() && s["piercing"].is_null(); });
+  viewer.waitUntil("motion", [](const Json& s) { return !s["paused"].get<bool>(); });
+  viewer.key("space");
+  viewer.waitUntil("a pause", [](const Json& s) { return s["paused"].get<bool>(); });
+  EXPECT_EQ(pairsIn(savedCloth(viewer, "mannequin-001.obj"), "mannequin.obj"), 0U);
+}
+
+TEST(DressingInTheWindow, TheCommandDressOpensTheDressedBodyAndItsSessionReplays) {
+  const TemporaryFolder folder;
+  const auto log = folder.path() / "session.json";
+  ViewerDriver viewer({"--record", log.string(), "dress", "builtin:tshirt.obj", "mannequin", "--place", "file",
+                       "--move", "0", "-0.03", "0.04"});
+  viewer.waitUntil("the dressed body", isDressed);
+  const Json moving = viewer.waitUntil("some steps", [](const Json& s) { return s["step"] > 5; });
+  EXPECT_FALSE(moving["paused"].get<bool>());
+  viewer.tap("Escape");
+  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
+  const auto output = folder.path() / "output.txt";
+  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
+  std::ifstream text(output);
+  EXPECT_EQ(status, 0) << text.rdbuf();
+}
+
+TEST(DressingInTheWindow, AGarmentThatCannotBeWornStaysAndTheReasonIsShown) {
+  ViewerDriver viewer({"dress", "builtin:tshirt.obj", "mannequin", "--place", "file", "--move", "0", "0.2", "0"});
+  const Json failed = viewer.waitUntil("the reason", [](const Json& s) { return hasButton(s, "overlay.error"); });
+  EXPECT_TRUE(says(failed, "the right arm passes through the sleeve's wall")) << failed["message"];
+  EXPECT_FALSE(failed["placed"].get<bool>());
+}
+
+TEST(DressingInTheWindow, EscapeCancelsIt) {
+  ViewerDriver viewer(
+      {"dress", "builtin:tshirt.obj", "mannequin", "--place", "file", "--move", "0", "-0.03", "0.04", "--paused"});
+  viewer.waitUntil("the progress", [](const Json& s) { return hasButton(s, "button.cancel_dressing"); });
+  viewer.tap("Escape");
+  const Json ended = viewer.waitUntil("the end", [](const Json& s) { return s["dressing"].is_null(); });
+  EXPECT_FALSE(ended["placed"].get<bool>());
+  EXPECT_TRUE(viewer.process().running()) << "Escape did not quit";
+}
+
+TEST(DressingFromTheCommandLine, WrongUseIsNamed) {
+  const TemporaryFolder folder;
+  const auto output = folder.path() / "output.txt";
+  const auto statusOf = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), DRAPE_PROGRAM);
+    return runToEnd({.command = arguments, .environment = {{"DISPLAY", ""}}, .output = output});
+  };
+  EXPECT_EQ(statusOf({"dress", "builtin:tshirt.obj"}), 2) << "the body is missing";
+  EXPECT_EQ(statusOf({"dress", "builtin:tshirt.obj", "mannequin", "--scale", "0"}), 2);
+  EXPECT_EQ(statusOf({"dress", "builtin:tshirt.obj", "somebody"}), 1);
+  std::ifstream text(output);
+  const std::string words{std::istreambuf_iterator<char>(text), {}};
+  EXPECT_NE(words.find("no mesh file"), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace drape::app
