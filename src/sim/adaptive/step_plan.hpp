@@ -93,8 +93,8 @@ struct StepPlan {
 /// True if rounding to float would add noticeable energy. In each substep a position is rounded by up to
 /// d = 2^-24 |x|, which adds about c m omega^2 d^2 / 2 with stiff springs; c = AutoTuning::roundingHeat. Noticeable is
 /// 1/500 of the energy of a fall by the cloth's diagonal, in a second. For cloth that damping or still air bring to
-/// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second, or at about one while
-/// contacts act. A fabric that moves visibly does not count as coming to rest.
+/// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second. While contacts act it
+/// is the heating that keeps them moving at about 1 mm/s. A fabric that moves visibly does not count as coming to rest.
 /// @param maxCoordinate the largest coordinate, relative to simd::stepOrigin [m]
 [[nodiscard]] bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates,
                                       const CommonParameters& parameters, const AutoOptions& options,
