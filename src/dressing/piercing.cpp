@@ -18,21 +18,6 @@ Vec3 centreOf(std::span<const Vec3> positions, const Triangle& triangle) {
   return (positions[triangle[0]] + positions[triangle[1]] + positions[triangle[2]]) / 3.0;
 }
 
-/// One fault for each part of the body. An arm that meets the sleeve and the shoulder is at the sleeve.
-std::vector<Fault> mergedByPart(const std::vector<Fault>& faults) {
-  std::vector<Fault> merged;
-  for (const Fault& fault : faults) {
-    const auto same = std::ranges::find(merged, fault.part, &Fault::part);
-    if (same == merged.end()) {
-      merged.push_back(fault);
-    } else {
-      same->pairs += fault.pairs;
-      same->atSleeve = same->atSleeve || fault.atSleeve;
-    }
-  }
-  return merged;
-}
-
 }  // namespace
 
 /// The parts of a body and the openings of the cloth, as they are at the start.
@@ -92,7 +77,7 @@ std::vector<Piercing> PiercingSearch::find(std::span<const Vec3> positions, std:
     const Anatomy* anatomy = anatomyOf(body.body);
     piercing.faults = anatomy == nullptr
                           ? std::vector<Fault>{{FaultKind::PassesWall, BodyPart::Whole, false, pairs.size()}}
-                          : mergedByPart(anatomy->wearing.wallFaults(positions, body.mesh.positions));
+                          : anatomy->wearing.wallFaults(positions, pairs);
     std::ranges::stable_sort(piercing.faults, std::greater(), &Fault::pairs);
     found.push_back(std::move(piercing));
   }

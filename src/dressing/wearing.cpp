@@ -1,10 +1,7 @@
 #include "dressing/wearing.hpp"
 
-#include "intersection/intersections.hpp"
-
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace drape::dressing {
 namespace {
@@ -30,8 +27,13 @@ Wearing::Wearing(const ShrinkingBody& body, const BodyParts& parts, const Garmen
   }
 }
 
+std::vector<intersection::TrianglePair> Wearing::intersecting(std::span<const Vec3> positions,
+                                                              const std::vector<Vec3>& body) const {
+  return intersection::intersectingPairs({positions, garment_}, {body, body_.triangles()});
+}
+
 std::size_t Wearing::pairs(std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
-  return intersection::intersectingPairs({positions, garment_}, {body, body_.triangles()}).size();
+  return intersecting(positions, body).size();
 }
 
 bool Wearing::passes(const Opening& opening, std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
@@ -71,23 +73,25 @@ bool Wearing::isAtSleeve(int triangle, std::span<const Vec3> positions) const {
   return atSleeve;
 }
 
-std::vector<Fault> Wearing::wallFaults(std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
-  std::map<std::pair<BodyPart, bool>, std::size_t> counts;
-  for (const intersection::TrianglePair& pair :
-       intersection::intersectingPairs({positions, garment_}, {body, body_.triangles()})) {
+std::vector<Fault> Wearing::wallFaults(std::span<const Vec3> positions,
+                                       std::span<const intersection::TrianglePair> pairs) const {
+  std::map<BodyPart, Fault> faults;
+  for (const intersection::TrianglePair& pair : pairs) {
     const BodyPart part = parts_.ofTriangle(body_.triangles()[pair.second]);
     const bool isArm = part == BodyPart::LeftArm || part == BodyPart::RightArm;
-    ++counts[{part, isArm && isAtSleeve(pair.first, positions)}];
+    Fault& fault = faults.try_emplace(part, Fault{.part = part}).first->second;
+    ++fault.pairs;
+    fault.atSleeve = fault.atSleeve || (isArm && isAtSleeve(pair.first, positions));
   }
   std::vector<Fault> result;
-  for (const auto& [place, pairs] : counts) {
-    result.push_back({FaultKind::PassesWall, place.first, place.second, pairs});
+  for (const auto& [part, fault] : faults) {
+    result.push_back(fault);
   }
   return result;
 }
 
 std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame) const {
-  std::vector<Fault> result = wallFaults(positions, body_.frames()[frame]);
+  std::vector<Fault> result = wallFaults(positions, intersecting(positions, body_.frames()[frame]));
   for (const Opening* opening : missed(positions, body_.frames()[frame])) {
     if (isSleeve(opening->kind)) {
       result.push_back({FaultKind::MissesOpening, partsThrough(opening->kind).front(), true, 0});

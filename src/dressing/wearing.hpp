@@ -2,6 +2,7 @@
 
 #include "dressing/body_parts.hpp"
 #include "dressing/garment_openings.hpp"
+#include "intersection/intersections.hpp"
 
 #include <map>
 #include <span>
@@ -19,7 +20,7 @@ enum class FaultKind {
 struct Fault {
   FaultKind kind = FaultKind::PassesWall;
   BodyPart part = BodyPart::Whole;
-  bool atSleeve = false;  ///< of an arm: the triangles are nearest to the opening of a sleeve
+  bool atSleeve = false;  ///< of an arm only: some of the triangles are nearest to the opening of a sleeve
   std::size_t pairs = 0;  ///< of triangles that intersect; 0 for an opening
 };
 
@@ -30,7 +31,7 @@ class Wearing {
   Wearing(const ShrinkingBody& body, const BodyParts& parts, const GarmentOpenings& openings,
           std::span<const Triangle> garment);
 
-  /// The pairs of triangles of garment and body that intersect. @param positions of the garment [m]
+  /// The number of pairs of triangles of garment and body that intersect. @param positions of the garment [m]
   [[nodiscard]] std::size_t pairs(std::span<const Vec3> positions, std::size_t frame) const {
     return pairs(positions, body_.frames()[frame]);
   }
@@ -41,13 +42,17 @@ class Wearing {
   [[nodiscard]] std::vector<const Opening*> missed(std::span<const Vec3> positions,
                                                    const std::vector<Vec3>& body) const;
 
-  /// Where parts of the body pass through the triangles of the garment. @param body its vertices [m]
-  [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions, const std::vector<Vec3>& body) const;
+  /// Where parts of the body pass through the triangles of the garment, one entry a part. An arm that meets a sleeve and
+  /// the rest of the garment is at the sleeve. @param positions of the garment [m]  @param pairs that intersect there
+  [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions,
+                                              std::span<const intersection::TrianglePair> pairs) const;
 
   /// Everything that is wrong, by part of the body.
   [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame) const;
 
  private:
+  [[nodiscard]] std::vector<intersection::TrianglePair> intersecting(std::span<const Vec3> positions,
+                                                                     const std::vector<Vec3>& body) const;
   [[nodiscard]] bool passes(const Opening& opening, std::span<const Vec3> positions,
                             const std::vector<Vec3>& body) const;
   [[nodiscard]] bool isAtSleeve(int triangle, std::span<const Vec3> positions) const;

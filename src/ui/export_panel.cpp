@@ -176,11 +176,8 @@ void exportNotice(PanelContext& context, OverlayStack& stack) {
     words += ", " + text::formatMinutes(progress.secondsLeft) + " left";
   }
   ImGui::TextUnformatted(words.c_str());
-  const float line = ImGui::GetFontSize();
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette().accent);
-  ImGui::ProgressBar(static_cast<float>(progress.share), {std::min(stack.textWidth(), 20.0F * line), 0.3F * line}, "");
-  ImGui::PopStyleColor();
-  if (iconButton(context, "cancel_export", Icon::None, "Cancel", 5.0F * line)) {
+  stack.progressBar(progress.share);
+  if (iconButton(context, "cancel_export", Icon::None, "Cancel", 5.0F * ImGui::GetFontSize())) {
     context.output.requests.emplace_back(UiAction::CancelExport);
   }
   stack.end();

@@ -78,6 +78,13 @@ void OverlayStack::end() {
   popStyle();
 }
 
+void OverlayStack::progressBar(double share) const {
+  const float line = ImGui::GetFontSize();
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette().accent);
+  ImGui::ProgressBar(static_cast<float>(share), {std::min(textWidth_, 20.0F * line), 0.3F * line}, "");
+  ImGui::PopStyleColor();
+}
+
 void beginCorner(PanelContext& context, const std::string& name, const ImVec2& at, const ImVec2& pivot,
                  OverlayStack::Mouse mouse) {
   const bool taken = mouse == OverlayStack::Mouse::Taken;

@@ -25,6 +25,9 @@ class OverlayStack {
   void begin(const std::string& name, Mouse mouse = Mouse::Taken);
   void end();
 
+  /// Adds a bar of progress to the open box. @param share that is done, 0 to 1
+  void progressBar(double share) const;
+
   /// Maximum width of a line of text in a box [window units].
   [[nodiscard]] float textWidth() const { return textWidth_; }
   /// Maximum height of the content of the next or the open box [window units].

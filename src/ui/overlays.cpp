@@ -114,23 +114,17 @@ void loadingNotice(PanelContext& context, OverlayStack& stack) {
   stack.begin("loading");
   ImGui::TextUnformatted(stats.loading.c_str());
   if (stats.loadingShare >= 0.0) {
-    const float width = std::min(stack.textWidth(), 20.0F * ImGui::GetFontSize());
-    ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette().accent);
-    ImGui::ProgressBar(static_cast<float>(stats.loadingShare), {width, 0.3F * ImGui::GetFontSize()}, "");
-    ImGui::PopStyleColor();
+    stack.progressBar(stats.loadingShare);
   }
   stack.end();
 }
 
 void dressingNotice(PanelContext& context, OverlayStack& stack) {
   const DressingProgress& progress = *context.stats.dressing;
-  const float line = ImGui::GetFontSize();
   stack.begin("dressing");
   ImGui::TextUnformatted(progress.words.c_str());
-  ImGui::PushStyleColor(ImGuiCol_PlotHistogram, palette().accent);
-  ImGui::ProgressBar(static_cast<float>(progress.share), {std::min(stack.textWidth(), 20.0F * line), 0.3F * line}, "");
-  ImGui::PopStyleColor();
-  if (iconButton(context, "cancel_dressing", Icon::None, "Cancel (Esc)", 8.0F * line)) {
+  stack.progressBar(progress.share);
+  if (iconButton(context, "cancel_dressing", Icon::None, "Cancel (Esc)", 8.0F * ImGui::GetFontSize())) {
     context.output.requests.emplace_back(UiAction::CancelDressing);
   }
   stack.end();

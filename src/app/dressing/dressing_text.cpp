@@ -35,12 +35,8 @@ std::string_view nameOf(BodyPart part) {
   return "body";
 }
 
-bool isArm(BodyPart part) {
-  return part == BodyPart::LeftArm || part == BodyPart::RightArm;
-}
-
 std::string_view wallOf(const dressing::Fault& fault) {
-  return fault.atSleeve && isArm(fault.part) ? "the sleeve's wall" : "the garment";
+  return fault.atSleeve ? "the sleeve's wall" : "the garment";
 }
 
 std::string capitalised(std::string sentence) {

@@ -56,6 +56,14 @@ struct Watched {
       std::this_thread::sleep_for(std::chrono::milliseconds(2));
     } while (!watch.knowsStart());
   }
+  /// Makes the tube wider or narrower by that factor.
+  void scaleWidth(double factor, bool isStart) {
+    std::vector<Vec3> places = simulation.state().positions;
+    for (Vec3& place : places) {
+      place = Vec3(factor * place.x(), place.y(), factor * place.z());
+    }
+    simulation.apply(session::PlaceClothCommand{places, isStart});
+  }
   /// Lets a running look end. Later looks are due only after some time of the clock.
   void wait() {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
@@ -84,11 +92,7 @@ TEST(PiercingWatch, ignoresBodiesWithoutContact) {
 TEST(PiercingWatch, looksAgainOnlyAfterTwoSecondsAndForgetsWhatIsCured) {
   Watched watched(tubeAround(0.2));
   watched.lookAtStart();
-  std::vector<Vec3> wider = watched.simulation.state().positions;
-  for (Vec3& position : wider) {
-    position = Vec3(1.3 * position.x(), position.y(), 1.3 * position.z());
-  }
-  watched.simulation.apply(session::PlaceClothCommand{wider, false});
+  watched.scaleWidth(1.3, false);
   watched.follow();
   watched.wait();
   EXPECT_FALSE(watched.watch.found().piercings.empty()) << "too early for another look";
@@ -103,11 +107,7 @@ TEST(PiercingWatch, looksAgainOnlyAfterTwoSecondsAndForgetsWhatIsCured) {
 TEST(PiercingWatch, looksDuringTheRunWhereContactReportsClothInsideABody) {
   Watched watched(tubeAround(0.15));
   watched.lookAtStart();
-  std::vector<Vec3> narrower = watched.simulation.state().positions;
-  for (Vec3& position : narrower) {
-    position = Vec3(0.75 * position.x(), position.y(), 0.75 * position.z());
-  }
-  watched.simulation.apply(session::PlaceClothCommand{narrower, false});
+  watched.scaleWidth(0.75, false);
   watched.now += std::chrono::seconds(3);
   watched.follow();
   watched.wait();
@@ -124,11 +124,7 @@ TEST(PiercingWatch, looksDuringTheRunWhereContactReportsClothInsideABody) {
 TEST(PiercingWatch, looksAtTheNewStartOfADressedCloth) {
   Watched watched(tubeAround(0.2));
   watched.lookAtStart();
-  std::vector<Vec3> wider = watched.simulation.state().positions;
-  for (Vec3& position : wider) {
-    position = Vec3(1.3 * position.x(), position.y(), 1.3 * position.z());
-  }
-  watched.simulation.apply(session::PlaceClothCommand{wider, true});
+  watched.scaleWidth(1.3, true);
   watched.follow();
   EXPECT_FALSE(watched.watch.knowsStart());
   watched.lookAtStart();
