@@ -67,7 +67,7 @@ class Runner {
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
     if (watch_.energy) {
       balance_.add(model_, parameters_, inputs, before_, state, stepper_.contact().unresolved(),
-                   {stepper_.earlierContactWork(), stepper_.fabricDampingWork()});
+                   {stepper_.earlierContactWork(), stepper_.dampingWork()});
     }
     if (watch_.energyPeak) {
       const double energy = sim::energyOf(model_, parameters_, state).total();

@@ -61,7 +61,7 @@ void Simulation::step() {
   }
   if (balance_) {
     balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_, stepper_->contact().unresolved(),
-                  {stepper_->earlierContactWork(), stepper_->fabricDampingWork()});
+                  {stepper_->earlierContactWork(), stepper_->dampingWork()});
   }
   stepGhost();
   reportOverlap();

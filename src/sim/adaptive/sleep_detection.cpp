@@ -86,6 +86,13 @@ bool isUnchanged(const StepMemory& memory, const ClothState& state) {
 
 }  // namespace
 
+bool isUndisturbed(const SleepConditions& conditions) {
+  const auto& [parameters, contact, inputs, errorTolerance] = conditions;
+  const bool damped = parameters.material.damping > 0.0 || parameters.air.drag > 0.0;
+  const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
+  return damped && still && !inputs.attachment;
+}
+
 bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory,
                               ClothState& state) {
   const ModelData& data = models_.get(model, dataOf);
@@ -133,11 +140,8 @@ bool SleepDetection::staysAsleep(const ClothModel& model, const SleepConditions&
 
 /// Free cloth can sleep only if there is a body that may support it.
 bool SleepDetection::canSleep(const ModelData& data, const SleepConditions& conditions) {
-  const auto& [parameters, contact, inputs, errorTolerance] = conditions;
-  const bool damped = parameters.material.damping > 0.0 || parameters.air.drag > 0.0;
-  const bool canBeSupported = data.freePieces.empty() || contact::meetsBodies(contact, inputs);
-  const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
-  return damped && canBeSupported && still && !inputs.attachment;
+  const bool canBeSupported = data.freePieces.empty() || contact::meetsBodies(conditions.contact, conditions.inputs);
+  return canBeSupported && isUndisturbed(conditions);
 }
 
 /// A trial: every free piece is displaced a little in the direction of weight and air. It is supported if contact with

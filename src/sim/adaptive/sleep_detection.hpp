@@ -24,6 +24,9 @@ struct SleepConditions {
   double errorTolerance = 0.0;  ///< AutoOptions::errorTolerance [m]
 };
 
+/// Whether cloth could come to rest: it loses energy, no body moves, and no attachment acts.
+[[nodiscard]] bool isUndisturbed(const SleepConditions& conditions);
+
 /// Detects cloth at rest and puts it to sleep until something changes.
 ///
 /// Cloth sleeps when for one second no vertex moved further than a tenth of the error tolerance or a thousandth of the

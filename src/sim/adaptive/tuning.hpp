@@ -208,6 +208,14 @@ struct AutoTuning {
   double sleepTime = 1.0;
   /// Steps between two reference positions of moving cloth [-]. Larger: cheaper, sleep begins later.
   int sleepCheckInterval = 16;
+  /// Cloth in contact settles after so many intervals [-] of that time [s] in which its mean displacement was below the
+  /// error tolerance, and the largest one below this multiple of it [-] (adaptive::settle). The error tolerance is that
+  /// of 0.2 s, so the interval should not be shorter.
+  int settlingIntervals = 2;
+  double settlingInterval = 0.25;
+  double maxSettlingRatio = 25.0;
+  /// Time constant of the velocity of settling cloth [s]. The motion of a hem is critically damped.
+  double settlingTime = 0.1;
   /// Time of the trial fall that tests for support [s]: 0.5 mm down in still air.
   double supportTrialTime = 0.01;
   /// A piece is supported where contact leaves at most this fraction of the trial displacement [-].

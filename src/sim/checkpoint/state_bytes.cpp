@@ -177,6 +177,9 @@ void stepMemoryFields(Archive& archive, adaptive::StepMemory& memory) {
   pointerFields(archive, memory.sleepReference, [](auto& to, auto& positions) { to(positions); });
   archive(memory.sleepReferenceTime);
   archive(memory.sleepFingerprint);
+  pointerFields(archive, memory.settlingReference, [](auto& to, auto& positions) { to(positions); });
+  archive(memory.settlingReferenceTime);
+  archive(memory.slowIntervals);
 }
 
 template <typename Archive>

@@ -87,7 +87,7 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   const double end = energyOf(model, parameters, after).total();
   change_ += end - energyOf(model, parameters, before).total();
   contact_ += apart.earlierContact;
-  damping_ += apart.fabricDamping;
+  damping_ += apart.damping;
   if (unresolved != nullptr) {
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }

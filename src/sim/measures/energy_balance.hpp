@@ -10,7 +10,7 @@ namespace drape::sim {
 /// Energy changes that do not follow from the state before and after a step [J].
 struct WorkApart {
   double earlierContact = 0.0;  ///< by contact in the contact substeps before the last one
-  double fabricDamping = 0.0;   ///< by the damping of a fabric
+  double damping = 0.0;         ///< by the damping of a fabric and by settling
 };
 
 /// The energy balance of a cloth over the added steps: the work of damping, air, attachment and contact, and the

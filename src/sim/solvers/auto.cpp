@@ -1,5 +1,6 @@
 #include "sim/adaptive/adaptive_run.hpp"
 #include "sim/adaptive/energy_guard.hpp"
+#include "sim/adaptive/settling.hpp"
 #include "sim/adaptive/sleep_detection.hpp"
 #include "sim/adaptive/step_memory.hpp"
 #include "sim/adaptive/tuning.hpp"
@@ -302,6 +303,14 @@ class AutoSolver final : public Solver {
       state.time += parameters.timeStep;
       return {.choice = adaptive::StepChoice{.substeps = 0, .forceEvaluations = 0, .sleeping = true}};
     }
+    const double settlingWork = adaptive::settle(model, conditionsOf(parameters, inputs), memory, state);
+    StepReport report = stepAwake(model, parameters, inputs, memory, state);
+    report.settlingWork = settlingWork;
+    return report;
+  }
+
+  StepReport stepAwake(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                       adaptive::StepMemory& memory, ClothState& state) {
     const LocalRates& rates = rates_.get(model, localRatesOf);
     const DoubleReason reason = reasonForDouble(model, rates, parameters, inputs, memory, state);
     if (reason == DoubleReason::None) {

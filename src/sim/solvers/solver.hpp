@@ -23,12 +23,14 @@ struct StepReport {
   bool converged = true;                ///< false if a solve ended above its tolerance
   contact::ContactReport contact = {};  ///< contacts of the step
   double contactWork = 0.0;             ///< of contacts that the solver resolved in its substeps [J]
+  double settlingWork = 0.0;            ///< energy change by adaptive::settle [J]
   std::optional<adaptive::StepChoice> choice = {};  ///< of the solver `auto`
 
   /// Adds the report of the next step.
   void add(const StepReport& next) {
     iterations += next.iterations;
     contactWork += next.contactWork;
+    settlingWork += next.settlingWork;
     residual = next.residual;
     converged = converged && next.converged;
     if (choice && next.choice) {

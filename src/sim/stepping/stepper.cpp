@@ -114,7 +114,7 @@ StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const Step
 StepReport Stepper::advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                             ClothState& state) {
   earlierContactWork_ = 0.0;
-  fabricDampingWork_ = 0.0;
+  dampingWork_ = 0.0;
   contactLoadsAreOld_ = true;
   if (solver_->sleeps(model, parameters, inputs, state)) {
     contactSubsteps_ = 1;
@@ -146,7 +146,7 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
   if (!damper_) {
     damper_ = std::make_unique<simd::FabricDamper>();
   }
-  fabricDampingWork_ = damper_->damp(model, parameters, pins, state);
+  dampingWork_ = damper_->damp(model, parameters, pins, state);
 }
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -232,6 +232,7 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
     addContactLoads(model, state);
   }
   earlierContactWork_ += total.contactWork;
+  dampingWork_ += total.settlingWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;
 }

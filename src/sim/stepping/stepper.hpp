@@ -56,8 +56,8 @@ class Stepper {
   /// Energy change by contact in the last step [J], without that at its end: the work of contacts that the solver
   /// resolved, and, if it is measured, the corrections in the contact substeps before the last one.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
-  /// Energy change by the damping of the fabric in the last step [J].
-  [[nodiscard]] double fabricDampingWork() const { return fabricDampingWork_; }
+  /// Energy change in the last step by the damping of the fabric and by settling [J].
+  [[nodiscard]] double dampingWork() const { return dampingWork_; }
   /// Whether to keep the loads of contacts on the vertices. Off by default. Does not change the motion.
   void keepContactLoads(bool kept);
   /// The loads of contacts in the last step. While the cloth sleeps, those of the last step before. Unknown before the
@@ -131,7 +131,7 @@ class Stepper {
   adaptive::StretchChoice stretch_;
   std::unique_ptr<simd::FabricDamper> damper_;  // null until a fabric damps
   double earlierContactWork_ = 0.0;             // [J]
-  double fabricDampingWork_ = 0.0;              // [J]
+  double dampingWork_ = 0.0;                    // [J]
   std::vector<PinMotion> pinMotions_;
   std::vector<SubstepContact> substepContacts_;  // of the present contact substep
 };

@@ -226,7 +226,7 @@ TEST(EnergyBalance, countsTheDampingOfAFabricWithEverySolverThatTakesIt) {
     for (int i = 0; i < 20; ++i) {
       const ClothState before = state;
       stepper.step(*model, parameters, {}, state);
-      balance.add(*model, parameters, {}, before, state, nullptr, {.fabricDamping = stepper.fabricDampingWork()});
+      balance.add(*model, parameters, {}, before, state, nullptr, {.damping = stepper.dampingWork()});
     }
     EXPECT_LT(balance.damping(), -0.05 * start) << info.name;
     if (info.name == "verlet") {

@@ -1,0 +1,67 @@
+#include "sim/adaptive/settling.hpp"
+
+#include "sim/adaptive/tuning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drape::sim::adaptive {
+namespace {
+
+/// Whether the mean displacement is below the tolerance [m], and no displacement exceeds a multiple of it.
+bool hardlyMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& positions, double tolerance) {
+  double sum = 0.0;
+  double largest = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double distance = (positions[v] - before[v]).norm();
+    sum += distance;
+    largest = std::max(largest, distance);
+  }
+  return sum < tolerance * static_cast<double>(positions.size()) && largest < tuning.maxSettlingRatio * tolerance;
+}
+
+void beginInterval(const ClothState& state, StepMemory& memory) {
+  memory.settlingReference = std::make_shared<const std::vector<Vec3>>(state.positions);
+  memory.settlingReferenceTime = state.time;
+}
+
+/// Counts the intervals in which the cloth hardly moved. Settling ends as soon as it moves.
+void updateIntervals(double tolerance, const ClothState& state, StepMemory& memory) {
+  const bool isNew = memory.settlingReference == nullptr ||
+                     memory.settlingReference->size() != state.positions.size() ||
+                     state.time < memory.settlingReferenceTime;
+  const bool isOver = !isNew && state.time >= memory.settlingReferenceTime + tuning.settlingInterval;
+  const bool settles = memory.slowIntervals == tuning.settlingIntervals;
+  const bool isSlow =
+      !isNew && (isOver || settles) && hardlyMoved(*memory.settlingReference, state.positions, tolerance);
+  if (isNew || ((isOver || settles) && !isSlow)) {
+    memory.slowIntervals = 0;
+    beginInterval(state, memory);
+  } else if (isOver) {
+    memory.slowIntervals = std::min(memory.slowIntervals + 1, tuning.settlingIntervals);
+    beginInterval(state, memory);
+  }
+}
+
+}  // namespace
+
+double settle(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory, ClothState& state) {
+  if (conditions.inputs.contacts == nullptr || !isUndisturbed(conditions)) {
+    memory.settlingReference.reset();
+    memory.slowIntervals = 0;
+    return 0.0;
+  }
+  updateIntervals(conditions.errorTolerance, state, memory);
+  if (memory.slowIntervals < tuning.settlingIntervals) {
+    return 0.0;
+  }
+  const double factor = std::exp(-conditions.parameters.timeStep / tuning.settlingTime);
+  double energy = 0.0;
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    energy += 0.5 * model.vertexMass[v] * state.velocities[v].squaredNorm();
+    state.velocities[v] *= factor;
+  }
+  return (factor * factor - 1.0) * energy;
+}
+
+}  // namespace drape::sim::adaptive
