@@ -35,10 +35,10 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
 /// stopped, the others would wait for it at the barrier for ever.
 constexpr int stopCheckInterval = 64;
 
-/// The weight of bending and air in a substep. They act in the middle one of each `slowInterval` substeps, with the
-/// impulse of all of them. The sequence is the same backwards, so the scheme stays of second order and reversible.
-int slowWeightOf(const StepPlan& plan, int substep) {
-  return substep % plan.slowInterval == plan.slowInterval / 2 ? plan.slowInterval : 0;
+/// The weight in a substep of a force that acts in the middle one of each `interval` substeps, with the impulse of all
+/// of them. The sequence is the same backwards, so the scheme stays of second order and reversible.
+int weightOf(int interval, int substep) {
+  return substep % interval == interval / 2 ? interval : 0;
 }
 
 double startOf(ExplicitScheme scheme) {
@@ -166,7 +166,8 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       const double drift = (stages[s].drift + (between ? start : 0.0)) * substep;
       simd::SliceStep<T> step = step_;
       step.timeStep = static_cast<T>(stages[s].kick * substep);
-      step.slowWeight = static_cast<T>(slowWeightOf(plan, i));
+      step.airWeight = static_cast<T>(weightOf(plan.airInterval, i));
+      step.bendingWeight = static_cast<T>(weightOf(plan.bendingInterval, i));
       step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
       kick(step, plan, static_cast<T>(inputs.attachment ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_,
            share);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace drape::sim::adaptive {
 namespace {
@@ -139,21 +140,34 @@ double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory
 }
 
 /// Lets bending and air act in one of several substeps where that is accurate, and adds substeps so that their number
-/// is a multiple.
+/// is a multiple. Chooses the intervals with the least cost.
 StepPlan withSlowForces(StepPlan plan, const ClothModel& model, const LocalRates& rates,
                         const CommonParameters& parameters) {
   if (!model.fabric || plan.scheme != ExplicitScheme::Verlet) {
     return plan;
   }
   const double substep = parameters.timeStep / plan.substeps;
-  double longest = parameters.air.acts() ? tuning.maxAirTime : parameters.timeStep;
-  if (rates.bendingFrequency > 0.0) {
-    longest = std::min(longest, tuning.maxBendingHOmega / rates.bendingFrequency);
+  const auto longest = [&](double time) {
+    return std::clamp(static_cast<int>(std::min(time, parameters.timeStep) / substep), 1, tuning.maxSlowInterval);
+  };
+  const int longestAir = parameters.air.acts() ? longest(tuning.maxAirTime) : tuning.maxSlowInterval;
+  const int longestBending =
+      rates.bendingFrequency > 0.0 ? longest(tuning.maxBendingHOmega / rates.bendingFrequency) : longestAir;
+  StepPlan best = plan;
+  double least = std::numeric_limits<double>::max();
+  for (int air = 1; air <= std::min(longestAir, longestBending); air += 2) {
+    for (int bending = air; bending <= longestBending; bending += 2 * air) {
+      const int substeps = (plan.substeps + bending - 1) / bending * bending;
+      const double cost = substeps * (1.0 + tuning.bendingCost / bending + tuning.airCost / air);
+      if (cost < least) {
+        least = cost;
+        best.substeps = substeps;
+        best.airInterval = air;
+        best.bendingInterval = bending;
+      }
+    }
   }
-  const int fitting = std::clamp(static_cast<int>(longest / substep), 1, tuning.maxSlowInterval);
-  plan.slowInterval = fitting % 2 == 1 ? fitting : fitting - 1;
-  plan.substeps = (plan.substeps + plan.slowInterval - 1) / plan.slowInterval * plan.slowInterval;
-  return plan;
+  return best;
 }
 
 StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
@@ -256,7 +270,7 @@ bool maySoften(const ClothModel& model, const CommonParameters& parameters, cons
 }
 
 StepPlan saferPlan(StepPlan plan) {
-  plan.slowInterval = 1;
+  plan.airInterval = plan.bendingInterval = 1;
   const bool finer = !plan.softens || plan.hOmegaLimit < tuning.minRetryHOmega;
   plan.hOmegaLimit *= plan.softens && finer ? 0.5 : tuning.retryClampFactor;
   if (finer) {

@@ -37,8 +37,10 @@ struct StepPlan {
   double hOmegaLimit = 0.0;       ///< springs are clamped to this h omega, h being the substep [-]; 0: no clamping
   int dampingStages = 0;          ///< of a substep, for damping too strong for the kick; 0: damping is part of the kick
   bool usesCoarseLevels = false;  ///< coarse levels supply the stiffness that clamping removes
-  /// Number of substeps between two kicks by bending and air of a fabric [-]. Odd, and a divisor of the substeps.
-  int slowInterval = 1;
+  /// Number of substeps between two kicks by the air and by bending of a fabric [-]. Odd; the first divides the second,
+  /// and the second the substeps.
+  int airInterval = 1;
+  int bendingInterval = 1;
   bool softens = false;  ///< the energy counts the clamped stiffness; otherwise the full stiffness
 
   [[nodiscard]] int forceEvaluations() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }

@@ -161,6 +161,9 @@ struct AutoTuning {
   double maxAirTime = 2.5e-4;
   /// Maximum number of substeps between two kicks by bending and air [-], odd.
   int maxSlowInterval = 15;
+  /// Cost of a kick by bending and of one by the air, in kicks by the membrane [-].
+  double bendingCost = 1.0;
+  double airCost = 0.15;
 
   // Stretch stiffness of fabrics.
 

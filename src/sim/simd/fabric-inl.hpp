@@ -232,7 +232,7 @@ template <class D, typename T>
 HWY_INLINE void addFabric(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& step, SpringTerms<T>* terms, int slice,
                           int lane, const Lanes3<D>& x, bool hasAir, Lanes3<D>& force, hn::Vec<D>& energy) {
   const bool wantsEnergy = step.energy != nullptr;
-  const bool airActs = hasAir && step.slowWeight > T(0);
+  const bool airActs = hasAir && step.airWeight > T(0);
   Lanes3<D> area{hn::Zero(d), hn::Zero(d), hn::Zero(d)};
   if (HWY_LIKELY(cloth.fabric->hasCommonCorners[slice] != 0)) {
     addCommonCorners(d, cloth, terms, slice, lane, x, airActs, wantsEnergy, force, energy);
@@ -242,15 +242,15 @@ HWY_INLINE void addFabric(D d, const SlicedCloth<T>& cloth, const SliceStep<T>& 
   } else {
     addFans(d, cloth, slice, lane, x, wantsEnergy, force, energy, area);
   }
-  if (cloth.fabric->bending && (step.slowWeight > T(0) || wantsEnergy)) {
-    addBending(d, cloth, slice, lane, x, step.slowWeight, wantsEnergy, force, energy);
+  if (cloth.fabric->bending && (step.bendingWeight > T(0) || wantsEnergy)) {
+    addBending(d, cloth, slice, lane, x, step.bendingWeight, wantsEnergy, force, energy);
     if (HWY_UNLIKELY(!cloth.fabric->moments.empty())) {
-      addMoments(d, cloth, slice, lane, x, step.slowWeight, wantsEnergy, force, energy);
+      addMoments(d, cloth, slice, lane, x, step.bendingWeight, wantsEnergy, force, energy);
     }
   }
   if (airActs) {
-    const Lanes3<D> air = airForce(d, cloth, step, step.timeStep * step.slowWeight, area, slice, lane, force);
-    force = multiplyAdd(air, hn::Set(d, step.slowWeight), force);
+    const Lanes3<D> air = airForce(d, cloth, step, step.timeStep * step.airWeight, area, slice, lane, force);
+    force = multiplyAdd(air, hn::Set(d, step.airWeight), force);
   }
 }
 

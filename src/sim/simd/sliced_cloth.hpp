@@ -101,9 +101,10 @@ struct SliceStep {
   /// Slope of the lift at zero incidence [kg/m^3] (kernels::liftRise). The lift is then implicit, so that it never
   /// changes the side of a vertex that faces the air (addAir). 0: eq. 19 as printed, which jumps at zero incidence.
   T liftRise = T(0);
-  /// Verlet with a fabric: the weight of bending and air in this kick [-]. In multiple time stepping they act in one of
-  /// several kicks, and the weight is the number of these kicks. 0: they do not act.
-  T slowWeight = T(1);
+  /// Verlet with a fabric: the weights of air and bending in this kick [-]. In multiple time stepping each acts in one
+  /// of several kicks, and its weight is the number of these kicks. 0: it does not act.
+  T airWeight = T(1);
+  T bendingWeight = T(1);
   /// Verlet: stiffness scale of each spring [-], one number a slot and lane. Null: all are 1.
   const SliceNumbers<T>* stiffnessScales = nullptr;
   /// Verlet: the aggregate of each permuted index, and additional accelerations of the aggregates [m/s^2]. Null: none.

@@ -2,6 +2,7 @@
 
 #include "fabric_cloths.hpp"
 #include "sim/adaptive/step_plan.hpp"
+#include "sim/adaptive/tuning.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/stepping/stepper.hpp"
@@ -241,6 +242,23 @@ TEST(StretchChoice, continuesEquallyFromACopyOfTheState) {
   EXPECT_EQ(stateHash(state), stateHash(copy));
 }
 
+TEST(SlowForces, ofBendingActLessOftenThanThoseOfTheAir) {
+  const auto model = hangingFabric();
+  StepParameters parameters;
+  parameters.timeStep = 1.0 / 60.0;
+  parameters.automatic.costBudget = 1e5;
+  parameters.air.drag = 1.0;
+  const LocalRates rates = localRatesOf(*model);
+  const StepPlan plan = planStep(*model, rates, parameters, parameters.automatic, {}, {});
+  const double substep = parameters.timeStep / plan.substeps;
+  EXPECT_LE(plan.airInterval * substep, tuning.maxAirTime);
+  EXPECT_LE(plan.bendingInterval * substep * rates.bendingFrequency, tuning.maxBendingHOmega);
+  EXPECT_GT(plan.bendingInterval, plan.airInterval);
+  EXPECT_EQ(plan.bendingInterval % (2 * plan.airInterval), plan.airInterval)
+      << "an odd multiple: both middles coincide";
+  EXPECT_EQ(plan.substeps % plan.bendingInterval, 0);
+}
+
 TEST(SlowForces, actLessOftenThanTheMembraneAndKeepTheEnergy) {
   const auto model = hangingFabric();
   StepParameters parameters;
@@ -250,9 +268,9 @@ TEST(SlowForces, actLessOftenThanTheMembraneAndKeepTheEnergy) {
   ClothState state = shaken(*model, 0.002, 5);
   const StepPlan plan = planStep(*model, localRatesOf(*model), parameters, parameters.automatic, {}, {});
   if (plan.scheme == ExplicitScheme::Verlet) {
-    EXPECT_GT(plan.slowInterval, 1);
-    EXPECT_EQ(plan.slowInterval % 2, 1);
-    EXPECT_EQ(plan.substeps % plan.slowInterval, 0);
+    EXPECT_GT(plan.bendingInterval, 1);
+    EXPECT_EQ(plan.bendingInterval % 2, 1);
+    EXPECT_EQ(plan.substeps % plan.bendingInterval, 0);
   }
   Stepper stepper("auto");
   const double start = energyOf(*model, parameters, state).total();
