@@ -77,6 +77,8 @@ constexpr std::tuple table{
 }),
     row<session::MoveBodyCommand>("move_body", Field{"body", &session::MoveBodyCommand::body},
                                   Field{"shift", &session::MoveBodyCommand::shift}),
+    row<session::SetFigureCommand>("set_figure", Field{"body", &session::SetFigureCommand::body},
+                                   Field{"figure", &session::SetFigureCommand::figure}),
     row<session::GoToCommand>("go_to", Field{"time", &session::GoToCommand::time}),
     row<session::StepBackCommand>("step_back"),
     row<session::ObserveCommand>("observe", Field{"on", &session::ObserveCommand::on}),
@@ -125,6 +127,16 @@ void put(Json& json, const settings::OwnFabrics& fabrics) {
   json = toJson(fabrics);
 }
 
+void put(Json& json, const figure::FigureOptions& figure) {
+  json["motion"] = std::string(figure.motion->name);
+  json["speed"] = figure.speed;
+  for (const figure::ProportionInfo& each : figure::proportionTable()) {
+    if (const std::optional<double>& size = figure.proportions.*each.value) {
+      json[std::string(each.key)] = *size;
+    }
+  }
+}
+
 template <typename T>
 void put(Json& json, const T& value) {
   json = value;
@@ -160,6 +172,20 @@ void take(const Json& json, settings::OwnFabric& fabric) {
 
 void take(const Json& json, settings::OwnFabrics& fabrics) {
   fabrics = fabricsFrom(json);
+}
+
+void take(const Json& json, figure::FigureOptions& figure) {
+  const auto name = json.at("motion").get<std::string>();
+  figure.motion = figure::findMotion(name);
+  if (figure.motion == nullptr) {
+    throw messages::InputError("there is no motion '" + name + "'");
+  }
+  figure.speed = json.at("speed").get<double>();
+  for (const figure::ProportionInfo& each : figure::proportionTable()) {
+    if (const auto found = json.find(std::string(each.key)); found != json.end()) {
+      figure.proportions.*each.value = found->get<double>();
+    }
+  }
 }
 
 template <typename T>

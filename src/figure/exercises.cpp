@@ -87,9 +87,8 @@ FigurePose breathe(const PerJoint<Vec3>& places, double phase) {
 FigurePose turnRound(const PerJoint<Vec3>& places, double phase) {
   constexpr int steps = 6;  // of each foot in a turn
   FigurePose pose;
-  const double degrees = 360.0 * phase;
+  pose.heading = 360.0 * phase;
   pose.shift = Vec3(0.0, -0.022 + 0.004 * sine(2.0 * steps * phase), 0.0);
-  pose.rotation(Joint::Hips) = turned(degrees, Vec3::UnitY());
   pose.rotation(Joint::Chest) = turned(6.0, Vec3::UnitY());
   pose.rotation(Joint::Head) = turned(10.0, Vec3::UnitY());
   placeArm(Side::Left, hangingArm - 6.0, -8.0 + 4.0 * sine(steps * phase), 16.0, pose);

@@ -8,6 +8,9 @@ namespace drape::figure {
 /// A pose of the figure. Without a rotation and a shift it is the rest pose.
 struct FigurePose {
   Vec3 shift = Vec3::Zero();  ///< of the hips from their rest position [m]
+  /// By which the figure turns to the left, about the vertical through its hips [degrees]. It can exceed a turn, so
+  /// that the way from one heading to another is known.
+  double heading = 0.0;
   /// Of each joint relative to its parent, about its own position. In the rest pose the axes of all joints are those of
   /// the world.
   PerJoint<Eigen::Quaterniond> rotations;
@@ -16,7 +19,10 @@ struct FigurePose {
   [[nodiscard]] Eigen::Quaterniond& rotation(Joint joint) { return rotations[indexOf(joint)]; }
 };
 
-/// The pose between two: 0 is the first, 1 the second. Rotations take the shorter way.
+/// How the hips are turned in the world: by their own rotation, then by the heading.
+[[nodiscard]] Eigen::Quaterniond hipsRotation(const FigurePose& pose);
+
+/// The pose between two: 0 is the first, 1 the second. Rotations take the shorter way, and the heading that of numbers.
 [[nodiscard]] FigurePose blended(const FigurePose& first, const FigurePose& second, double fraction);
 
 /// Where a pose puts each joint, and how it turns the bone there.

@@ -30,7 +30,7 @@ void placeFoot(const PerJoint<Vec3>& places, Side side, const FootPlace& foot, F
   const Eigen::Quaterniond footTurn = turned(foot.yaw, Vec3::UnitY()) * turned(-foot.pitch, Vec3::UnitX());
   const Vec3 target = foot.ball + footTurn * (places[ankle] - places[toes]);
 
-  const Eigen::Quaterniond& hips = pose.rotation(Joint::Hips);
+  const Eigen::Quaterniond hips = hipsRotation(pose);
   const Vec3 from = places[0] + pose.shift + hips * (places[hip] - places[0]);
   const Vec3 restThigh = places[knee] - places[hip];
   const Vec3 restShin = places[ankle] - places[knee];

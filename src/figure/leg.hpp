@@ -12,8 +12,8 @@ struct FootPlace {
   double toes = 0.0;         ///< toes up relative to the foot [degrees]
 };
 
-/// Bends a leg so that its foot is at a place. The hips of the pose must be set. A foot out of reach stays on the
-/// straight line to its place. @param places of the joints in the rest pose [m]
+/// Bends a leg so that its foot is at a place. The hips and the heading of the pose must be set. A foot out of reach
+/// stays on the straight line to its place. @param places of the joints in the rest pose [m]
 void placeFoot(const PerJoint<Vec3>& places, Side side, const FootPlace& foot, FigurePose& pose);
 
 }  // namespace drape::figure

@@ -9,16 +9,16 @@ namespace drape::figure {
 
 std::span<const Motion> motions() {
   static const std::array<Motion, 10> list{{
-      {"rest", "Rest pose, in which the garments are fitted", 1.0, 0.0, restPose},
-      {"t_pose", "T-pose", 1.0, 0.0, tPose},
-      {"a_pose", "A-pose", 1.0, 0.0, aPose},
-      {"breathe", "Breathing", 4.0, 0.0, breathe},
-      {"walk", "Walk", walkGait.period, walkGait.stride / walkGait.period, walk},
-      {"turn", "Turn on the spot", 4.0, 0.0, turnRound},
-      {"run", "Run", runGait.period, runGait.stride / runGait.period, run},
-      {"squat", "Squat", 3.0, 0.0, squat},
-      {"raise_arms", "Arm raise", 4.0, 0.0, raiseArms},
-      {"dance", "Dance", 8.0, 0.0, dance},
+      {"rest", "Rest pose, in which the garments are fitted", 1.0, 0.0, 0, restPose},
+      {"t_pose", "T-pose", 1.0, 0.0, 0, tPose},
+      {"a_pose", "A-pose", 1.0, 0.0, 0, aPose},
+      {"breathe", "Breathing", 4.0, 0.0, 0, breathe},
+      {"walk", "Walk", walkGait.period, walkGait.stride / walkGait.period, 0, walk},
+      {"turn", "Turn on the spot", 4.0, 0.0, 1, turnRound},
+      {"run", "Run", runGait.period, runGait.stride / runGait.period, 0, run},
+      {"squat", "Squat", 3.0, 0.0, 0, squat},
+      {"raise_arms", "Arm raise", 4.0, 0.0, 0, raiseArms},
+      {"dance", "Dance", 8.0, 0.0, 0, dance},
   }};
   return list;
 }

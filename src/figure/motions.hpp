@@ -14,6 +14,7 @@ struct Motion {
   std::string_view title;
   double period = 1.0;  ///< [s]
   double pace = 0.0;    ///< speed of the ground below the feet, backwards [m/s]
+  int turns = 0;        ///< whole turns to the left in a period
   /// The pose at a share of the period, 0 to 1. Its derivative is continuous. `places` are those of the joints in the
   /// rest pose [m].
   FigurePose (*pose)(const PerJoint<Vec3>& places, double phase) = nullptr;

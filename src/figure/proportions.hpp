@@ -16,6 +16,8 @@ struct Proportions {
   std::optional<double> waist;     ///< circumference [m]
   std::optional<double> hip;       ///< circumference [m]
   std::optional<double> shoulder;  ///< between the joints of the upper arms [m]
+
+  bool operator==(const Proportions&) const = default;
 };
 
 /// A measure with its key in scene files, what it means, and its range [m].

@@ -142,9 +142,7 @@ void readFigure(const TomlReader& table, BodyDescription& body) {
     }
     options.motion = motion;
   }
-  // At this speed the turn has made half a turn at the end of the blend. A blend with more would take the other way.
-  constexpr double maxSpeed = 2.0;
-  options.speed = table.number("speed", 0.1, maxSpeed).value_or(options.speed);
+  options.speed = table.number("speed", figure::minSpeed, figure::maxSpeed).value_or(options.speed);
   for (const figure::ProportionInfo& each : figure::proportionTable()) {
     options.proportions.*each.value = table.number(each.key, each.min, each.max);
   }

@@ -12,7 +12,8 @@
 namespace drape::scene {
 namespace {
 
-constexpr std::array<std::string_view, 2> builtinBodies{"mannequin", "figure"};
+constexpr std::string_view figureName = "figure";
+constexpr std::array<std::string_view, 2> builtinBodies{"mannequin", figureName};
 
 constexpr std::string_view builtinPrefix = "builtin:";
 
@@ -66,6 +67,9 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
     throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure");
   }
   description.meshes = {MeshFileSource{isBuiltIn ? body + ".obj" : body, isBuiltIn}};
+  if (body == figureName) {
+    description.figure.emplace();  // in its rest pose, until the user chooses a motion
+  }
   if (!isBuiltIn) {
     useUnitAndAxes(settings, description);
   }

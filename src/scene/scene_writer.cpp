@@ -198,6 +198,7 @@ void writeBodies(Writing& writing) {
     if (i < writing.now.bodies.size()) {
       const BodyNow& now = writing.now.bodies[i];
       body.body.surface = now.surface;
+      body.figure = now.figure && body.figure ? now.figure : body.figure;
       for (sim::contact::Keyframe& key : body.body.motion.keyframes) {
         key.position += now.shift;
       }

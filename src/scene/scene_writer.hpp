@@ -13,6 +13,7 @@ struct BodyNow {
   bool on = true;
   Vec3 shift = Vec3::Zero();  ///< relative to its own motion [m]
   sim::contact::SurfaceProperties surface;
+  std::optional<figure::FigureOptions> figure = std::nullopt;  ///< of a figure; empty: as in the scene
 };
 
 /// What a user changed about a running scene.

@@ -73,6 +73,11 @@ struct MoveBodyCommand {
   int body = 0;               ///< index into the scene's bodies
   Vec3 shift = Vec3::Zero();  ///< [m]
 };
+/// Gives a figure another motion, speed or proportions. It blends into them in a second, from what it does now.
+struct SetFigureCommand {
+  int body = 0;  ///< index into the scene's bodies
+  figure::FigureOptions figure;
+};
 /// The cost budget of `auto`, as it follows from auto.budget. The simulation gives this command to itself, so that the
 /// log holds every decision that depends on the clock.
 struct SetCostBudgetCommand {
@@ -98,8 +103,8 @@ struct LoadSceneCommand {
 using Command = std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
                              ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand,
                              SetPinsCommand, PlacePinsCommand, MovePinsCommand, UntangleCommand, PlaceClothCommand,
-                             SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetCostBudgetCommand,
-                             ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
+                             SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetFigureCommand,
+                             SetCostBudgetCommand, ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {

@@ -204,6 +204,10 @@ void Simulation::captureBodies(Snapshot& snapshot) const {
     status.targetShift = bodies_.targetShift(i);
     status.on = bodies_.isOn(i);
     status.surface = bodies_.surface(i);
+    status.figure.reset();
+    if (const auto figure = figureAt(i)) {
+      status.figure = figure->options();
+    }
     status.vertices.clear();
     if (bodies_.isDeforming(i)) {
       const auto vertices = bodies_.vertices(i);
@@ -290,6 +294,7 @@ void Simulation::on(const ResetCommand&) {
     state_.time = scene_->start.time;
   }
   const bool unfolded = sim::makeUnfoldable(*model_, state_);
+  restartFigures();
   bodies_.reset(state_.time);
   if (ghost_) {
     ghost_->reset(state_);
@@ -432,6 +437,35 @@ void Simulation::on(const MoveBodyCommand& command) {
   }
 }
 
+void Simulation::on(const SetFigureCommand& command) {
+  const std::size_t body = requireBody(command.body);
+  const auto figure = figureAt(body);
+  if (!figure) {
+    throw messages::InputError("the body \"" + bodies_.bodies()[body].name + "\" is not a figure");
+  }
+  if (!figure::isAllowed(command.figure)) {
+    throw messages::InputError("the speed or a measure of the figure is outside its range");
+  }
+  if (command.figure != figure->options()) {
+    bodies_.deform(body,
+                   stepIndex_ == 0 ? figure->restarted(command.figure) : figure->changed(state_.time, command.figure));
+  }
+}
+
+/// The figure that a body is; null for other bodies.
+std::shared_ptr<const figure::MovingFigure> Simulation::figureAt(std::size_t body) const {
+  return figure::asFigure(bodies_.deformation(body));
+}
+
+/// Figures keep the user's motion and proportions, and begin them in the rest pose.
+void Simulation::restartFigures() {
+  for (std::size_t i = 0; i < bodies_.bodies().size(); ++i) {
+    if (const auto figure = figureAt(i)) {
+      bodies_.deform(i, figure->restarted(figure->options()));
+    }
+  }
+}
+
 std::size_t Simulation::requireVertex(int vertex) const {
   if (vertex < 0 || vertex >= model_->vertexCount()) {
     throw messages::InputError("there is no vertex " + std::to_string(vertex) + " in this cloth");
@@ -458,11 +492,21 @@ RecordedState Simulation::recorded() const {
   return {stepIndex_, state_, ghost_ ? std::optional(ghost_->state()) : std::nullopt, bodies_.shifts()};
 }
 
+/// The figures were where the recorded state has them. From there they do what the user chose since.
 void Simulation::continueFrom(const RecordedState& recorded) {
   const std::vector<sim::contact::BodyShift> bodies = recorded.bodies;
+  std::vector<std::shared_ptr<const figure::MovingFigure>> chosen;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    chosen.push_back(figureAt(i));
+  }
   const sim::ClothState ghost = recorded.ghost.value_or(recorded.state);
   continueFrom(recorded.state, recorded.step);
   bodies_.resume(state_.time, bodies);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    if (chosen[i]) {
+      on(SetFigureCommand{static_cast<int>(i), chosen[i]->options()});
+    }
+  }
   if (ghost_) {
     ghost_->reset(ghost);
   }

@@ -102,6 +102,7 @@ class Simulation {
   void on(const SwitchBodyCommand& command);
   void on(const SetSurfaceCommand& command);
   void on(const MoveBodyCommand& command);
+  void on(const SetFigureCommand& command);
   void on(const SetCostBudgetCommand& command);
   void on(const ObserveCommand& command);
   void on(const GoToCommand& command);
@@ -118,6 +119,8 @@ class Simulation {
   void limitAttachment();
   [[nodiscard]] std::size_t requireVertex(int vertex) const;
   [[nodiscard]] std::size_t requireBody(int body) const;
+  [[nodiscard]] std::shared_ptr<const figure::MovingFigure> figureAt(std::size_t body) const;
+  void restartFigures();
   void captureBodies(Snapshot& snapshot) const;
   void captureContact(Snapshot& snapshot) const;
   void captureForFields(Snapshot& snapshot) const;

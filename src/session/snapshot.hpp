@@ -37,7 +37,8 @@ struct BodyStatus {
   Vec3 targetShift = Vec3::Zero();  ///< that the body approaches [m]
   bool on = true;
   sim::contact::SurfaceProperties surface;
-  std::vector<Vec3> vertices;  ///< of a deforming mesh, in its own frame [m]; otherwise empty
+  std::optional<figure::FigureOptions> figure;  ///< what the figure does, or will do after its blend; else empty
+  std::vector<Vec3> vertices;                   ///< of a deforming mesh, in its own frame [m]; otherwise empty
 };
 
 /// The state of the simulation at a step boundary. The renderer and the panels see nothing else of it.

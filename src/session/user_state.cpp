@@ -62,6 +62,9 @@ void addBodyCommands(const UserState& from, const UserState& to, std::vector<Com
     if (from.bodies[i].shift != wanted.shift) {
       commands.emplace_back(MoveBodyCommand{body, wanted.shift});
     }
+    if (wanted.figure && from.bodies[i].figure != wanted.figure) {
+      commands.emplace_back(SetFigureCommand{body, *wanted.figure});
+    }
   }
 }
 
@@ -81,7 +84,7 @@ std::shared_ptr<const std::vector<PinPlace>> pinsOf(const Snapshot& snapshot) {
 UserState userStateOf(const Snapshot& snapshot, std::shared_ptr<const std::vector<PinPlace>> pins) {
   UserState state{snapshot.settings, std::move(pins), {}};
   for (const BodyStatus& body : snapshot.bodies) {
-    state.bodies.push_back({body.on, body.targetShift, body.surface});
+    state.bodies.push_back({body.on, body.targetShift, body.surface, body.figure});
   }
   return state;
 }
@@ -149,7 +152,7 @@ bool changesUserState(const Command& command) {
         return std::is_same_v<Type, SetSettingCommand> || std::is_same_v<Type, UseFabricCommand> ||
                std::is_same_v<Type, TogglePinCommand> || std::is_same_v<Type, SetPinsCommand> ||
                std::is_same_v<Type, SwitchBodyCommand> || std::is_same_v<Type, SetSurfaceCommand> ||
-               std::is_same_v<Type, MoveBodyCommand>;
+               std::is_same_v<Type, MoveBodyCommand> || std::is_same_v<Type, SetFigureCommand>;
       },
       command);
 }

@@ -19,6 +19,7 @@ struct BodyChoice {
   bool on = true;
   Vec3 shift = Vec3::Zero();  ///< that the body has or approaches, relative to its own motion [m]
   sim::contact::SurfaceProperties surface;
+  std::optional<figure::FigureOptions> figure = std::nullopt;  ///< motion and proportions of a figure
 
   bool operator==(const BodyChoice&) const = default;
 };

@@ -59,6 +59,21 @@ void addPins(const session::UserState& from, const session::UserState& to, std::
                                              count > 0 ? "set" : "released"));
 }
 
+void addFigure(const std::string& name, const figure::FigureOptions& before, const figure::FigureOptions& after,
+               std::vector<std::string>& changes) {
+  if (before.motion != after.motion) {
+    changes.push_back(fmt::format("motion of {} {} to {}", name, before.motion->title, after.motion->title));
+  }
+  if (before.speed != after.speed) {
+    changes.push_back(fmt::format("speed of {} {:.4g} to {:.4g}", name, before.speed, after.speed));
+  }
+  for (const figure::ProportionInfo& each : figure::proportionTable()) {
+    if (before.proportions.*each.value != after.proportions.*each.value) {
+      changes.push_back(fmt::format("{} of {}", each.key, name));
+    }
+  }
+}
+
 void addBodies(const session::UserState& from, const session::UserState& to, const scene::Scene& scene,
                std::vector<std::string>& changes) {
   const std::size_t count = std::min({from.bodies.size(), to.bodies.size(), scene.bodies->size()});
@@ -71,6 +86,9 @@ void addBodies(const session::UserState& from, const session::UserState& to, con
     }
     if (before.shift != after.shift) {
       changes.push_back(name + " moved");
+    }
+    if (before.figure && after.figure) {
+      addFigure(name, *before.figure, *after.figure, changes);
     }
     for (const settings::SurfaceField& field : settings::surfaceFields()) {
       if (before.surface.*field.value != after.surface.*field.value) {

@@ -10,6 +10,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -51,9 +52,18 @@ struct RevealedRow {
   bool isPending = false;  ///< whether it has not scrolled into sight yet
 };
 
+/// What the user chose for a figure, until the simulation has it.
+struct PendingFigure {
+  std::shared_ptr<const scene::Scene> scene;
+  std::size_t body = 0;  ///< index into the scene's bodies
+  figure::FigureOptions figure;
+  double since = 0.0;  ///< [s]
+};
+
 /// The state of the panels that persists between frames.
 struct PanelMemory {
   PendingSettings pending;
+  std::optional<PendingFigure> pendingFigure;
   TypedText typed;
   std::optional<bool> openSections;      ///< open or close all sections in the next frame
   std::map<std::string, bool> sections;  ///< by title, whether the user opened or closed them

@@ -35,6 +35,9 @@ inline constexpr const char* dressHelp =
 void sceneRows(PanelContext& context);
 void meshRows(PanelContext& context);
 
+/// The rows of the section Scene for the motion and the proportions of figures; nothing without a figure.
+void figureRows(PanelContext& context);
+
 /// The row of the section View that chooses the theme.
 void themeRow(PanelContext& context);
 

@@ -16,10 +16,16 @@ bool settingsDiffer(const settings::Settings& one, const settings::Settings& oth
   });
 }
 
+bool isOtherFigure(const session::Snapshot& snapshot, std::size_t body) {
+  const auto& described = snapshot.scene->description.bodies;  // without the stand and the ground
+  return body < described.size() && snapshot.bodies[body].figure != described[body].figure;
+}
+
 bool bodiesDiffer(const session::Snapshot& snapshot) {
   for (std::size_t i = 0; i < snapshot.bodies.size(); ++i) {
     const session::BodyStatus& status = snapshot.bodies[i];
-    if (!status.on || !status.shift.isZero() || status.surface != (*snapshot.scene->bodies)[i].surface) {
+    if (isOtherFigure(snapshot, i) || !status.on || !status.shift.isZero() ||
+        status.surface != (*snapshot.scene->bodies)[i].surface) {
       return true;
     }
   }

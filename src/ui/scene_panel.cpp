@@ -80,6 +80,7 @@ void sceneRows(PanelContext& context) {
   if (!context.snapshot.scene->description.help.empty()) {
     mutedText(context.snapshot.scene->description.help);
   }
+  figureRows(context);
 }
 
 void meshRows(PanelContext& context) {

@@ -68,6 +68,19 @@ TEST(Replay, followsAResetToTheSameBits) {
   EXPECT_EQ(headless("run --replay " + written(sessionLogOf(*session))).status, 0);
 }
 
+TEST(Replay, followsAFigureToTheSameBits) {
+  session::Simulation session(scene::buildScene(scene::openScene("dance"), scene::openScene("dance").settings));
+  session.step();
+  session::SetFigureCommand command{0, {figure::findMotion("turn"), 1.5, {}}};
+  command.figure.proportions.hip = 1.0;
+  session.apply(command);
+  for (int i = 0; i < 4; ++i) {
+    session.step();
+  }
+  const Outcome outcome = headless("run --replay " + written(sessionLogOf(session)));
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+}
+
 TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
   settings::Settings settings = scene::openScene("grid").settings;
   settings.step.material.stiffness = 123.0;
@@ -185,6 +198,22 @@ TEST(CommandJson, keepsEveryCommandAndAllBits) {
     const auto json = toJson(entry);
     EXPECT_EQ(toJson(commandFrom(nlohmann::ordered_json::parse(json.dump()))), json);
   }
+}
+
+TEST(CommandJson, keepsTheMotionAndTheMeasuresOfAFigure) {
+  session::SetFigureCommand command{2, {figure::findMotion("squat"), 1.0 / 3.0, {}}};
+  command.figure.proportions.waist = 0.7;
+  const auto json = toJson({5, command});
+  EXPECT_FALSE(json["figure"].contains("height")) << "it stays as built";
+  const session::LoggedCommand again = commandFrom(nlohmann::ordered_json::parse(json.dump()));
+  EXPECT_EQ(again.step, 5);
+  EXPECT_EQ(std::get<session::SetFigureCommand>(again.command).body, 2);
+  EXPECT_EQ(std::get<session::SetFigureCommand>(again.command).figure, command.figure);
+}
+
+TEST(CommandJson, refusesAMotionThatDoesNotExist) {
+  const char* text = R"({"step": 1, "command": "set_figure", "body": 0, "figure": {"motion": "fly", "speed": 1}})";
+  EXPECT_THROW(static_cast<void>(commandFrom(nlohmann::ordered_json::parse(text))), messages::InputError);
 }
 
 TEST(CommandJson, namesAnEntryThatIsNoCommand) {

@@ -62,5 +62,21 @@ TEST_F(SceneChanges, ABodyThatIsSwitchedOffOrMovedIsAChange) {
   EXPECT_TRUE(changed(session::SetSurfaceCommand{0, rough}));
 }
 
+TEST(SceneChangesOfAFigure, AreChangesUntilTheSceneIsAsItWas) {
+  const scene::SceneDescription description = scene::openScene("dance");
+  const auto scene = scene::buildScene(description, description.settings);
+  session::Simulation simulation(scene);
+  const figure::FigureOptions own = *description.bodies.at(0).figure;
+  session::Snapshot snapshot;
+  simulation.capture(snapshot);
+  EXPECT_FALSE(hasChanges(snapshot, *scene));
+  simulation.apply(session::SetFigureCommand{0, {figure::findMotion("walk"), own.speed, own.proportions}});
+  simulation.capture(snapshot);
+  EXPECT_TRUE(hasChanges(snapshot, *scene));
+  simulation.apply(session::SetFigureCommand{0, own});
+  simulation.capture(snapshot);
+  EXPECT_FALSE(hasChanges(snapshot, *scene));
+}
+
 }  // namespace
 }  // namespace drape::ui

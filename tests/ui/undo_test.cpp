@@ -1,4 +1,5 @@
 #include "ui/undo.hpp"
+#include "ui/change_words.hpp"
 
 #include "panel_fixture.hpp"
 
@@ -90,6 +91,20 @@ TEST_F(UndoPanel, NamesPinsAndBodies) {
   pass({});
   EXPECT_EQ(undo(), "Undone: ground switched off");
   EXPECT_TRUE(simulation_.bodies().isOn(0));
+}
+
+TEST(UndoInWords, NamesTheMotionAndTheMeasuresOfAFigure) {
+  const scene::SceneDescription description = scene::openScene("dance");
+  session::Simulation simulation(scene::buildScene(description, description.settings));
+  session::Snapshot before;
+  simulation.capture(before);
+  session::SetFigureCommand command{0, {figure::findMotion("walk"), 1.0, {}}};
+  command.figure.proportions.waist = 0.7;
+  simulation.apply(command);
+  session::Snapshot after;
+  simulation.capture(after);
+  EXPECT_EQ(changeInWords(session::userStateOf(before), session::userStateOf(after), simulation.scene()),
+            "motion of figure Dance to Walk, waist of figure");
 }
 
 TEST_F(UndoPanel, NamesAFabricAndNotItsValues) {

@@ -58,6 +58,62 @@ TEST_F(UserInterfaceTest, AClockThatFallsBehindForStiffnessHasOneClickToKeepPace
   EXPECT_FALSE(panels_.buttons().contains("button.soften"));
 }
 
+/// The panels of a scene with a figure.
+class FigurePanelTest : public PanelFixture {
+ protected:
+  FigurePanelTest() : PanelFixture("dance") {}
+
+  [[nodiscard]] figure::FigureOptions present() {
+    simulation_.capture(snapshot_);
+    return *snapshot_.bodies.at(0).figure;
+  }
+};
+
+TEST_F(FigurePanelTest, ChoosesTheMotion) {
+  settle();
+  click(widget("body.figure.motion"));
+  settle();
+  const UiOutput output = click(button("body.figure.motion=squat"));
+  ASSERT_EQ(output.commands.size(), 1U);
+  const auto& command = std::get<session::SetFigureCommand>(output.commands.front());
+  EXPECT_EQ(command.body, 0);
+  EXPECT_EQ(command.figure.motion->name, "squat");
+  EXPECT_EQ(command.figure.proportions, figure::Proportions()) << "which stay as they are built";
+  apply(output);
+  EXPECT_EQ(present().motion->name, "squat");
+  settle();
+  apply(click(widget("body.figure.motion"), 0.5, 1));
+  EXPECT_EQ(present().motion->name, "dance") << "a right click restores that of the scene";
+}
+
+TEST_F(FigurePanelTest, ChangesOneMeasureWithinItsRange) {
+  settle();
+  apply(typeInto(widget("body.figure.waist"), "0.71"));
+  settle();
+  EXPECT_EQ(present().proportions.waist, 0.71);
+  EXPECT_EQ(present().proportions.hip, std::nullopt);
+  apply(typeInto(widget("body.figure.height"), "9"));
+  settle();
+  EXPECT_EQ(present().proportions.height, 2.2) << "the maximum";
+  EXPECT_EQ(present().proportions.waist, 0.71);
+  apply(drag(widget("body.figure.speed"), 0.9, 0.5));
+  settle();
+  EXPECT_NEAR(present().speed, 1.05, 0.05);
+  EXPECT_TRUE(typeInto(widget("body.figure.chest"), "wide").commands.empty());
+  apply(click(widget("body.figure.waist"), 0.5, 1));
+  EXPECT_EQ(present().proportions.waist, std::nullopt) << "as it is built";
+  EXPECT_EQ(present().proportions.height, 2.2);
+}
+
+TEST_F(FigurePanelTest, KeepsAChoiceThatHasNotArrivedYet) {
+  settle();
+  UiOutput all = typeInto(widget("body.figure.waist"), "0.71");
+  append(all, typeInto(widget("body.figure.hip"), "1.02"));  // the simulation is busy with a step
+  apply(all);
+  EXPECT_EQ(present().proportions.waist, 0.71);
+  EXPECT_EQ(present().proportions.hip, 1.02);
+}
+
 /// The panels of a scene with a sphere and a solid ground.
 class ContactPanelTest : public PanelFixture {
  protected:

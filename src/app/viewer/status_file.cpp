@@ -70,6 +70,19 @@ Json toJson(const std::optional<session::GhostStatus>& ghost) {
   return {{"distance", ghost->meanDistance}, {"step_seconds", ghost->stepSeconds}};
 }
 
+Json toJson(const std::optional<figure::FigureOptions>& figure) {
+  if (!figure) {
+    return nullptr;
+  }
+  Json json{{"motion", figure->motion->name}, {"speed", figure->speed}};
+  for (const figure::ProportionInfo& each : figure::proportionTable()) {
+    if (const std::optional<double>& size = figure->proportions.*each.value) {
+      json[std::string(each.key)] = *size;
+    }
+  }
+  return json;
+}
+
 Json contactsOf(const session::Snapshot& snapshot) {
   const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
   return {{"bodies", contact.bodyContacts},         {"itself", contact.selfContacts},
@@ -121,6 +134,7 @@ class PlaceFinder {
                       {"on", status.on},
                       {"position", toJson(status.pose.position)},
                       {"shift", toJson(status.shift)},
+                      {"figure", toJson(status.figure)},
                       {"x", place.x()},
                       {"y", place.y()}});
     }

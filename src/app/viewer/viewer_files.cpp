@@ -67,7 +67,7 @@ scene::SceneNow sceneNow(const session::UserState& state, const session::Snapsho
     now.settings.step.threads = threadsOfScene;
   }
   for (const session::BodyChoice& body : state.bodies) {
-    now.bodies.push_back({body.on, body.shift, body.surface});
+    now.bodies.push_back({body.on, body.shift, body.surface, body.figure});
   }
   return now;
 }

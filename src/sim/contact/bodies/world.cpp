@@ -62,7 +62,7 @@ void BodyWorld::reset(double time) {
 std::vector<BodyShift> BodyWorld::shifts() const {
   std::vector<BodyShift> all;
   for (const BodyState& each : states_) {
-    all.push_back({each.shift, each.targetShift});
+    all.push_back({each.shift, each.targetShift, each.deformation});
   }
   return all;
 }
@@ -71,6 +71,7 @@ void BodyWorld::resume(double time, std::span<const BodyShift> shifts) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     states_[i].shift = shifts[i].shift;
     states_[i].targetShift = shifts[i].target;
+    states_[i].deformation = shifts[i].deformation;
   }
   placeAt(time);
 }
@@ -95,6 +96,18 @@ void BodyWorld::setSurface(std::size_t body, const SurfaceProperties& surface) {
   collect();
 }
 
+void BodyWorld::deform(std::size_t body, std::shared_ptr<const Deformation> deformation) {
+  states_[body].deformation = std::move(deformation);
+}
+
+std::shared_ptr<const Deformation> BodyWorld::deformation(std::size_t body) const {
+  if (states_[body].deformation) {
+    return states_[body].deformation;
+  }
+  const MeshShape* mesh = meshOf((*bodies_)[body]);
+  return mesh == nullptr ? nullptr : mesh->deformation;
+}
+
 void BodyWorld::advance(double time, double timeStep) {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     BodyState& each = states_[i];
@@ -114,7 +127,9 @@ void BodyWorld::updatePose(std::size_t body, double time) {
   BodyState& at = states_[body];
   at.end = poseAt(shape.motion, time);
   at.end.position += at.shift;
-  if (deforms(shape)) {
+  if (at.deformation) {
+    at.deformation->positionsAt(time, at.endVertices);
+  } else if (deforms(shape)) {
     meshPositionsAt(*meshOf(shape), time, at.endVertices);
   }
 }

@@ -8,10 +8,11 @@
 
 namespace drape::sim::contact {
 
-/// How far the user has dragged a body from its prescribed motion.
+/// How the user has changed the prescribed motion of a body.
 struct BodyShift {
-  Vec3 shift = Vec3::Zero();   ///< now [m]
-  Vec3 target = Vec3::Zero();  ///< that it approaches [m]
+  Vec3 shift = Vec3::Zero();                                 ///< how far the body is dragged from it now [m]
+  Vec3 target = Vec3::Zero();                                ///< that the shift approaches [m]
+  std::shared_ptr<const Deformation> deformation = nullptr;  ///< instead of that of its mesh; null: none
 };
 
 /// The bodies of a running scene and their motion in each step. A body follows its prescribed motion; the user can
@@ -28,19 +29,25 @@ class BodyWorld {
   /// Puts every body at its pose at that time [s].
   BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double time);
 
-  /// Puts every body at the pose of its prescribed motion at that time [s], without shift. Surfaces stay as they are,
-  /// and bodies that are off stay off.
+  /// Puts every body at the pose of its prescribed motion at that time [s], without shift. Surfaces and
+  /// deformations stay as they are, and bodies that are off stay off.
   void reset(double time);
 
-  /// The shifts of all bodies.
+  /// The shifts and deformations of all bodies.
   [[nodiscard]] std::vector<BodyShift> shifts() const;
-  /// Puts every body at the pose of its prescribed motion at that time [s] with its shift. @param shifts one a body
+  /// Puts every body at the pose of its prescribed motion at that time [s] with its shift and its deformation.
+  /// @param shifts one a body
   void resume(double time, std::span<const BodyShift> shifts);
 
   /// Sets the shift that a dragged body approaches, relative to its prescribed motion [m].
   void shiftTowards(std::size_t body, const Vec3& shift) { states_[body].targetShift = shift; }
   void switchOn(std::size_t body, bool on);
   void setSurface(std::size_t body, const SurfaceProperties& surface);
+  /// Lets a mesh that deforms follow another deformation from the next step on, also after a reset. It must continue
+  /// the present positions. @param deformation for the vertices of that mesh; null: its own
+  void deform(std::size_t body, std::shared_ptr<const Deformation> deformation);
+  /// The deformation that a mesh follows; null for other bodies.
+  [[nodiscard]] std::shared_ptr<const Deformation> deformation(std::size_t body) const;
 
   /// Advances the bodies from `time` to `time + timeStep` [s].
   void advance(double time, double timeStep);
@@ -65,8 +72,9 @@ class BodyWorld {
   struct BodyState {
     bool on = true;
     SurfaceProperties surface;
-    Vec3 targetShift = Vec3::Zero();  // shift to approach [m]
-    Vec3 shift = Vec3::Zero();        // current shift [m]
+    Vec3 targetShift = Vec3::Zero();                 // shift to approach [m]
+    Vec3 shift = Vec3::Zero();                       // current shift [m]
+    std::shared_ptr<const Deformation> deformation;  // instead of that of the mesh; null: none
     Pose start;
     Pose end;
     std::vector<Vec3> startVertices;  // of a deforming mesh
