@@ -8,7 +8,7 @@
 namespace drape::figure {
 
 std::span<const Motion> motions() {
-  static const std::array<Motion, 10> list{{
+  static const std::array<Motion, 11> list{{
       {"rest", "Rest pose, in which the garments are fitted", 1.0, 0.0, 0, restPose},
       {"t_pose", "T-pose", 1.0, 0.0, 0, tPose},
       {"a_pose", "A-pose", 1.0, 0.0, 0, aPose},
@@ -16,6 +16,7 @@ std::span<const Motion> motions() {
       {"walk", "Walk", walkGait.period, walkGait.stride / walkGait.period, 0, walk},
       {"turn", "Turn on the spot", 4.0, 0.0, 1, turnRound},
       {"run", "Run", runGait.period, runGait.stride / runGait.period, 0, run},
+      {"skate", "Skate", 2.0, 3.0, 0, skate},
       {"squat", "Squat", 3.0, 0.0, 0, squat},
       {"raise_arms", "Arm raise", 4.0, 0.0, 0, raiseArms},
       {"dance", "Dance", 8.0, 0.0, 0, dance},

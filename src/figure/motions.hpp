@@ -36,6 +36,7 @@ struct Motion {
 [[nodiscard]] FigurePose breathe(const PerJoint<Vec3>& places, double phase);
 [[nodiscard]] FigurePose walk(const PerJoint<Vec3>& places, double phase);
 [[nodiscard]] FigurePose run(const PerJoint<Vec3>& places, double phase);
+[[nodiscard]] FigurePose skate(const PerJoint<Vec3>& places, double phase);
 [[nodiscard]] FigurePose turnRound(const PerJoint<Vec3>& places, double phase);
 [[nodiscard]] FigurePose squat(const PerJoint<Vec3>& places, double phase);
 [[nodiscard]] FigurePose raiseArms(const PerJoint<Vec3>& places, double phase);

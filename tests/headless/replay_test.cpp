@@ -201,7 +201,7 @@ TEST(CommandJson, keepsEveryCommandAndAllBits) {
 }
 
 TEST(CommandJson, keepsTheMotionAndTheMeasuresOfAFigure) {
-  session::SetFigureCommand command{2, {figure::findMotion("squat"), 1.0 / 3.0, {}}};
+  session::SetFigureCommand command{2, {figure::findMotion("skate"), 1.0 / 3.0, {}}};
   command.figure.proportions.waist = 0.7;
   const auto json = toJson({5, command});
   EXPECT_FALSE(json["figure"].contains("height")) << "it stays as built";
