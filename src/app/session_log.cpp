@@ -35,6 +35,9 @@ scene::SceneParts absoluteParts(scene::SceneParts parts) {
   for (std::string& body : parts.bodies) {
     body = absoluteName(body);
   }
+  for (std::string& cache : parts.caches) {
+    cache = absoluteName(cache);
+  }
   return parts;
 }
 
@@ -46,6 +49,7 @@ SessionLog parse(const Json& json) {
   log.parts.scene = json.at("scene");
   log.parts.cloth = json.at("cloth");
   log.parts.bodies = json.at("bodies");
+  log.parts.caches = json.value("caches", std::vector<std::string>());
   log.parts.dressed = json.value("dressed", false);
   for (const auto& [key, value] : json.at("settings").items()) {
     log.settings.emplace_back(key, value.get<std::string>());
@@ -117,6 +121,7 @@ void write(const SessionLog& log, OutputFile& file) {
   json["scene"] = log.parts.scene;
   json["cloth"] = log.parts.cloth;
   json["bodies"] = log.parts.bodies;
+  json["caches"] = log.parts.caches;
   json["dressed"] = log.parts.dressed;
   for (const auto& [key, value] : log.settings) {
     json["settings"][key] = value;

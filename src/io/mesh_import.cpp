@@ -161,10 +161,11 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
     raw = replyOf({format}, checked.bytes, timeLimit, "another format (" + formatList() + ")",
                   options.watch.part(0.2, 0.7))
               .mesh;
+    requireFewTriangles(raw.triangles.size(), options);
   } catch (const messages::InputError& error) {
     throw messages::InputError(name + ": " + error.what());
   }
-  if (options.use == MeshUse::Cloth) {
+  if (options.use == MeshUse::Cloth || options.keepsFile) {
     raw.file = std::move(checked.mesh);
   }
   raw.facesSkipped += checked.facesSkipped;

@@ -70,7 +70,7 @@ struct ImportedMesh {
   RenderMesh render;
   MeshSummary summary;
   FormatFacts format;
-  std::shared_ptr<const FileMesh> file;  ///< null for a body
+  std::shared_ptr<const FileMesh> file;  ///< null for a body, unless ImportOptions::keepsFile
 };
 
 /// Whether vertices far from all others are an error or are left out with their faces.
@@ -88,6 +88,7 @@ struct ImportOptions {
   double timeLimit = 0.0;  ///< time limit [s]; 0: ten seconds and one second per 2 MiB of the file
   OutlierRule outliers = OutlierRule::Refuse;
   MeshUse use = MeshUse::Cloth;
+  bool keepsFile = false;  ///< whether the result has the mesh of the file for a body too
   ImportWatch watch = {};  ///< receives progress, and can cancel
 };
 

@@ -473,7 +473,7 @@ ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const Im
   mesh.cloth.triangles = faces.particles;
   options.watch.tell(0.7, "Joining vertices");
   mesh.render = raw.uvs.empty() ? renderMeshFromPlanes(mesh.cloth) : renderMeshFromUvs(raw, weld, faces);
-  if (options.use == MeshUse::Cloth) {
+  if (options.use == MeshUse::Cloth || options.keepsFile) {
     mesh.file = fileMeshFor(source, weld);
   }
   options.watch.tell(0.8, "Measuring");

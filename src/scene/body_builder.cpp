@@ -2,9 +2,11 @@
 
 #include "io/animation_import.hpp"
 #include "messages/error.hpp"
+#include "scene/cached_mesh.hpp"
 #include "scene/cloth_builder.hpp"
 #include "scene/mesh_file.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <utility>
 
@@ -86,6 +88,27 @@ std::shared_ptr<const sim::contact::MeshShape> readAnimatedMesh(const BodyDescri
   }
 }
 
+/// Reads a mesh whose vertices follow a vertex cache.
+std::shared_ptr<const sim::contact::MeshShape> readCachedMesh(const BodyDescription& description,
+                                                              io::ImportOptions options,
+                                                              std::vector<std::string>& warnings) {
+  options.keepsFile = true;
+  const io::ImportedMesh mesh = readBodyMesh(description.meshes.front(), options, warnings);
+  const CacheSource& source = *description.cache;
+  try {
+    const io::PointCache cache = io::importPointCache(source.path, mesh.file->positions.size(), source.rate);
+    const VertexMatch match = vertexMatchOf(*mesh.file, mesh.cloth.positions.size(), cache);
+    if (match.parted > 0) {
+      warnings.push_back(fmt::format(
+          "{}: vertices at the place of another one in the mesh move away from it ({} of them); they follow it",
+          source.path, match.parted));
+    }
+    return cachedMesh(mesh.cloth.triangles, cache, match, description.scale, description.frameLoop);
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(placed(source.where, error.what()));
+  }
+}
+
 std::shared_ptr<const sim::contact::MeshShape> readFigure(const BodyDescription& description,
                                                           const io::ImportOptions& options,
                                                           std::vector<std::string>& warnings) {
@@ -148,6 +171,8 @@ std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescript
     bodies->push_back(each.body);
     if (each.figure) {
       bodies->back().shape = readFigure(each, options, warnings);
+    } else if (each.cache) {
+      bodies->back().shape = readCachedMesh(each, options, warnings);
     } else if (each.animation) {
       bodies->back().shape = readAnimatedMesh(each, watch);
     } else if (!each.meshes.empty()) {

@@ -1,5 +1,6 @@
 #include "scene/body_reader.hpp"
 
+#include "io/point_cache_import.hpp"
 #include "messages/error.hpp"
 #include "settings/surface_fields.hpp"
 
@@ -35,7 +36,7 @@ const std::vector<ShapeKeys>& shapes() {
                                            {"sphere", {"radius"}},
                                            {"capsule", {"radius", "length"}},
                                            {"box", {"size"}},
-                                           {"mesh", {"mesh", "scale", "frames", "animation"}},
+                                           {"mesh", {"mesh", "scale", "frames", "animation", "cache"}},
                                            {"figure", figureKeys()}};
   return list;
 }
@@ -114,6 +115,23 @@ void readAnimation(const TomlReader& table, const MeshFileSource& mesh, BodyDesc
   body.meshes.push_back(mesh);
 }
 
+/// A vertex cache that moves the vertices of a mesh file.
+void readCache(const TomlReader& table, const MeshFileSource& mesh, const std::filesystem::path& folder,
+               BodyDescription& body) {
+  table.allowOnly({"file", "rate", "loop"});
+  const std::string name = table.text("file").value_or("");
+  if (!io::isPointCache(name)) {
+    table.fail("a vertex cache is a .pc2 or an .mdd file: cache = { file = \"walk.pc2\" }");
+  }
+  if (io::hasOwnTimes(name) && table.has("rate")) {
+    table.fail("an MDD file has its own times; leave rate out");
+  }
+  body.cache = CacheSource{(folder / name).string(), table.number("rate", 0.001, 1e4).value_or(CacheSource{}.rate),
+                           table.place("file")};
+  body.frameLoop = table.flag("loop").value_or(false);
+  body.meshes.push_back(mesh);
+}
+
 void readMesh(const TomlReader& table, const std::filesystem::path& folder, BodyDescription& body) {
   if (!table.has("mesh")) {
     table.fail("a body of shape \"mesh\" needs mesh = \"file.obj\"");
@@ -121,13 +139,15 @@ void readMesh(const TomlReader& table, const std::filesystem::path& folder, Body
   const MeshFileSource mesh = meshSource(table, folder);
   body.scale = table.number("scale", 1e-6, 1e6).value_or(1.0);
   const auto animation = table.table("animation");
-  if (animation && table.has("frames")) {
-    table.fail("a body has either frames or an animation");
+  if (table.has("animation") + table.has("frames") + table.has("cache") > 1) {
+    table.fail("a body has either frames or an animation or a cache");
   }
   if (animation) {
     readAnimation(*animation, mesh, body);
   } else if (const auto frames = table.table("frames")) {
     readFrames(*frames, mesh, body);
+  } else if (const auto cache = table.table("cache")) {
+    readCache(*cache, mesh, folder, body);
   } else {
     body.meshes.push_back(mesh);
   }

@@ -1,5 +1,6 @@
 #include "scene/body_writer.hpp"
 
+#include "io/point_cache_import.hpp"
 #include "settings/surface_fields.hpp"
 #include "text/number_text.hpp"
 
@@ -8,6 +9,14 @@
 
 namespace drape::scene {
 namespace {
+
+/// A path relative to the folder where the file lies below it, or an absolute path.
+std::string fileName(const std::string& path, const std::filesystem::path& folder) {
+  const std::filesystem::path file = std::filesystem::absolute(path).lexically_normal();
+  const std::filesystem::path relative = file.lexically_relative(folder.lexically_normal());
+  const bool isBelow = !relative.empty() && *relative.begin() != "..";
+  return isBelow ? relative.string() : file.string();
+}
 
 void writeShape(const sim::contact::PlaneShape& plane, TomlText& toml) {
   toml.text("shape", "plane");
@@ -43,7 +52,7 @@ void writeFigure(const figure::FigureOptions& figure, TomlText& toml) {
   }
 }
 
-/// "loop" of frames or of an animation; the key of the table itself belongs to the keyframes.
+/// "loop" of frames, of an animation or of a cache; the key of the table itself belongs to the keyframes.
 std::string loopText(const BodyDescription& body) {
   return body.frameLoop ? "true" : "false";
 }
@@ -60,6 +69,11 @@ void writeMesh(const BodyDescription& body, const std::filesystem::path& folder,
     const std::string clip = body.animation->clip.empty() ? "" : "clip = " + quotedText(body.animation->clip) + ", ";
     toml.value("animation", fmt::format("{{ {}rate = {}, loop = {} }}", clip, text::exactNumber(body.animation->rate),
                                         loopText(body)));
+  } else if (body.cache) {
+    const std::string rate =
+        io::hasOwnTimes(body.cache->path) ? "" : "rate = " + text::exactNumber(body.cache->rate) + ", ";
+    toml.value("cache", fmt::format("{{ file = {}, {}loop = {} }}", quotedText(fileName(body.cache->path, folder)),
+                                    rate, loopText(body)));
   } else if (!body.framePattern.empty()) {
     const int last = body.firstFrame + static_cast<int>(body.meshes.size()) - 1;
     toml.value("frames", fmt::format("{{ first = {}, last = {}, rate = {}, loop = {} }}", body.firstFrame, last,
@@ -91,13 +105,7 @@ void writeMotion(const sim::contact::BodyMotion& motion, TomlText& toml) {
 }  // namespace
 
 std::string meshName(const MeshFileSource& source, const std::filesystem::path& folder) {
-  if (source.builtIn) {
-    return "builtin:" + source.path;
-  }
-  const std::filesystem::path file = std::filesystem::absolute(source.path).lexically_normal();
-  const std::filesystem::path relative = file.lexically_relative(folder.lexically_normal());
-  const bool isBelow = !relative.empty() && *relative.begin() != "..";
-  return isBelow ? relative.string() : file.string();
+  return source.builtIn ? "builtin:" + source.path : fileName(source.path, folder);
 }
 
 void writeSurface(const sim::contact::SurfaceProperties& surface, TomlText& toml) {

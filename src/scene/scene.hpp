@@ -70,6 +70,13 @@ struct AnimationSource {
   double rate = 60.0;  ///< frames a second [1/s]
 };
 
+/// A vertex cache (PC2 or MDD), which becomes the motion of a body's vertices.
+struct CacheSource {
+  std::string path;        ///< as given
+  double rate = 30.0;      ///< of a PC2, frames a second [1/s]
+  std::string where = {};  ///< file and line of the scene file that names it, for messages; otherwise empty
+};
+
 /// A body of a scene file; its meshes are not loaded yet.
 struct BodyDescription {
   sim::contact::Body body;                      ///< without the shape when that is a mesh
@@ -77,6 +84,7 @@ struct BodyDescription {
   std::string framePattern;                     ///< of the names of the frames: "walk_####.obj"; empty: no frames
   int firstFrame = 0;                           ///< the number of the first one
   std::optional<AnimationSource> animation;     ///< of the only mesh
+  std::optional<CacheSource> cache;             ///< of the only mesh
   std::optional<figure::FigureOptions> figure;  ///< of a body that is the figure; its mesh is the only one
   double scale = 1.0;                           ///< of the meshes [-]
   double frameTime = 1.0 / 30.0;                ///< time between two frames [s]
@@ -101,6 +109,9 @@ struct SceneParts {
   std::string scene = {};                ///< a built-in scene, a scene file or a mesh file; empty: only the next two
   std::string cloth = {};                ///< a mesh file for the cloth; empty: the cloth of the scene
   std::vector<std::string> bodies = {};  ///< mesh files of additional bodies
+  /// Vertex caches of these bodies: each for the body whose file has the same name without the ending, or for the only
+  /// body.
+  std::vector<std::string> caches = {};
   /// Whether the cloth is a garment that a body is to wear: it has no pins, and each body has its own unit and axes.
   /// Then `cloth` and the only one of `bodies` may also be built-in ones, see openGarmentOnBody.
   bool dressed = false;

@@ -55,6 +55,31 @@ void addBody(SceneDescription& scene, const std::string& file, bool isDressed) {
   scene.bodies.push_back(std::move(description));
 }
 
+std::string stemOf(const std::string& file) {
+  return std::filesystem::path(file).stem().string();
+}
+
+/// Gives each cache to the body with its name, or to the only body.
+void attachCaches(SceneDescription& scene, const SceneParts& parts) {
+  const std::size_t first = scene.bodies.size() - parts.bodies.size();
+  for (const std::string& cache : parts.caches) {
+    std::size_t found = 0;
+    while (found < parts.bodies.size() && stemOf(parts.bodies[found]) != stemOf(cache)) {
+      ++found;
+    }
+    if (found == parts.bodies.size() && parts.bodies.size() != 1) {
+      throw messages::InputError(cache +
+                                 ": no mesh of a body has this name, so the cache has nothing to move. Give both "
+                                 "files the same name: body.obj and body.pc2");
+    }
+    BodyDescription& body = scene.bodies[first + (found == parts.bodies.size() ? 0 : found)];
+    if (body.figure || body.meshes.front().builtIn) {
+      throw messages::InputError(cache + ": a cache moves a mesh from a file, not a built-in body");
+    }
+    body.cache = CacheSource{cache};
+  }
+}
+
 }  // namespace
 
 SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& own) {
@@ -63,7 +88,10 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
                                std::to_string(maxBodies) + " at a time");
   }
   if (parts.dressed && parts.scene.empty() && parts.bodies.size() == 1) {
-    return openGarmentOnBody(parts.cloth, parts.bodies.front(), own);
+    SceneDescription scene = openGarmentOnBody(parts.cloth, parts.bodies.front(), own);
+    attachCaches(scene, parts);
+    scene.parts = parts;
+    return scene;
   }
   SceneDescription scene = openScene(parts.scene.empty() ? parts.cloth : parts.scene, own);
   if (!parts.scene.empty() && !parts.cloth.empty()) {
@@ -72,6 +100,7 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
   for (const std::string& body : parts.bodies) {
     addBody(scene, body, parts.dressed);
   }
+  attachCaches(scene, parts);
   if (parts.dressed || (!parts.bodies.empty() && scene.opened)) {
     scene.settings.mesh.pins = "none";  // the cloth lies on the body
   }

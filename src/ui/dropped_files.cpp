@@ -1,6 +1,7 @@
 #include "ui/dropped_files.hpp"
 
 #include "io/mesh_import.hpp"
+#include "io/point_cache_import.hpp"
 #include "text/words.hpp"
 
 #include <algorithm>
@@ -17,6 +18,13 @@ bool hasBodyName(const std::string& file) {
   const std::string name = text::lowerCase(shortName(file));
   return std::any_of(words.begin(), words.end(),
                      [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+/// A body by its name, or since a vertex cache of its name moves it.
+bool isBody(const DroppedFiles& files, const std::string& file) {
+  const auto stem = [](const std::string& name) { return std::filesystem::path(name).stem(); };
+  return hasBodyName(file) ||
+         std::ranges::any_of(files.caches, [&](const std::string& cache) { return stem(cache) == stem(file); });
 }
 
 bool hasMeshBody(const scene::SceneDescription& scene) {
@@ -57,7 +65,11 @@ DroppedFiles sortDropped(const std::vector<std::string>& files) {
   DroppedFiles sorted;
   for (const std::string& file : files) {
     const bool scene = text::lowerCase(std::filesystem::path(file).extension().string()) == ".toml";
-    (scene ? sorted.scenes : io::isMeshFile(file) ? sorted.meshes : sorted.others).push_back(file);
+    (scene                    ? sorted.scenes
+     : io::isMeshFile(file)   ? sorted.meshes
+     : io::isPointCache(file) ? sorted.caches
+                              : sorted.others)
+        .push_back(file);
   }
   return sorted;
 }
@@ -68,11 +80,11 @@ DroppedFiles joinedWith(const scene::SceneDescription& present, DroppedFiles fil
   }
   const std::string dropped = files.meshes.front();
   const std::string cloth = present.parts.cloth.empty() ? present.parts.scene : present.parts.cloth;
-  if (present.opened && present.bodies.empty() && hasBodyName(dropped) && cloth != dropped) {
+  if (present.opened && present.bodies.empty() && isBody(files, dropped) && cloth != dropped) {
     files.meshes = {cloth, dropped};
-  } else if (present.opened && !present.parts.bodies.empty() && !hasBodyName(dropped)) {
+  } else if (present.opened && !present.parts.bodies.empty() && !isBody(files, dropped)) {
     files.meshes.insert(files.meshes.end(), present.parts.bodies.begin(), present.parts.bodies.end());
-  } else if (!present.opened && hasMeshBody(present) && !hasBodyName(dropped)) {
+  } else if (!present.opened && hasMeshBody(present) && !isBody(files, dropped)) {
     files.scenes = {present.parts.scene};
   } else {
     return files;
@@ -95,6 +107,10 @@ DropDecision decide(const DroppedFiles& files) {
   } else if (pieces == 1) {
     decision.open = scene::SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
   }
+  if (pieces <= 1 && !files.caches.empty()) {
+    addSentence(decision.notice,
+                "Vertex caches move a body: drop garment, body and " + listOf(files.caches) + " together.");
+  }
   if (!unknown.empty()) {
     addSentence(decision.notice, "Neither scenes nor meshes, and not opened: " + listOf(unknown) + ".");
   }
@@ -104,6 +120,7 @@ DropDecision decide(const DroppedFiles& files) {
 
 scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
   scene::SceneParts parts;
+  parts.caches = files.caches;
   if (!files.scenes.empty()) {
     parts.scene = files.scenes.back();
   }
@@ -124,7 +141,8 @@ std::size_t likelyCloth(const DroppedFiles& files) {
   if (!files.scenes.empty()) {
     return files.meshes.size();
   }
-  const auto found = std::find_if_not(files.meshes.begin(), files.meshes.end(), hasBodyName);
+  const auto found =
+      std::ranges::find_if_not(files.meshes, [&](const std::string& file) { return isBody(files, file); });
   return found == files.meshes.end() ? 0 : static_cast<std::size_t>(found - files.meshes.begin());
 }
 

@@ -12,7 +12,8 @@ namespace drape::ui {
 struct DroppedFiles {
   std::vector<std::string> scenes;
   std::vector<std::string> meshes;
-  std::vector<std::string> others;  ///< neither, by their endings
+  std::vector<std::string> caches = {};  ///< vertex caches, which move a body
+  std::vector<std::string> others;       ///< none of these, by their endings
   /// The only dropped one, where the others are in the window already. It can be opened alone too. Else empty.
   std::string alone = {};
 };

@@ -1,7 +1,12 @@
 #include "io/mesh_import.hpp"
 #include "program.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_file.hpp"
+#include "sim/contact/bodies/world.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -132,6 +137,37 @@ TEST(Export, refusesUnknownFormatsAndFoldersThatCannotBe) {
   const Outcome blocked = headless("run grid --seconds 0 --export " + (folder / "file" / "a.obj").string());
   EXPECT_EQ(blocked.status, 1);
   EXPECT_NE(blocked.errors.find("cannot create the folder"), std::string::npos) << blocked.errors;
+}
+
+TEST(Export, canMoveABodyAsAVertexCache) {
+  const auto folder = testFolder();
+  const auto sheet = makeSheet(folder);
+  const Outcome outcome = headless("run " + sheet.string() + sheetSettings + "--seconds 0.2 --rate 50 --export " +
+                                   (folder / "sheet.pc2").string() + " --export " + (folder / "sheet.mdd").string() +
+                                   " --export " + (folder / "f_{frame:3}.obj").string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* cache : {"file = \"sheet.pc2\", rate = 50", "file = \"sheet.mdd\""}) {
+    const scene::SceneDescription description = scene::parseScene(
+        "[cloth]\ngrid = \"vertical\"\n[[bodies]]\nshape = \"mesh\"\nmesh = \"sheet.obj\"\nscale = "
+        "0.01\nrotation = [-90, 0, 0]\ncache = { " +
+            std::string(cache) + " }\n",
+        "cached", "cached.toml", folder);
+    const auto scene = scene::buildScene(description, description.settings);
+    const sim::contact::Body& body = scene->bodies->front();
+    const auto& mesh = *std::get<std::shared_ptr<const sim::contact::MeshShape>>(body.shape);
+    const sim::contact::Pose pose = sim::contact::poseAt(body.motion, 0.0);
+    for (int frame = 0; frame <= 10; ++frame) {
+      std::vector<Vec3> positions;
+      sim::contact::meshPositionsAt(mesh, frame / 50.0, positions);
+      ASSERT_EQ(positions.size(), 81U) << "without the seam and the unused vertex";
+      // Each vertex of the cloth is a vertex of the body.
+      for (const Vec3& inFile : verticesOf(folder / fmt::format("f_{:03}.obj", frame))) {
+        const Vec3 place = 0.01 * Vec3(inFile.x(), inFile.z(), -inFile.y());
+        const auto isThere = [&](const Vec3& position) { return (pose.toWorld(position) - place).norm() < 1e-6; };
+        EXPECT_TRUE(inFile.x() == 1000.0 || std::ranges::any_of(positions, isThere)) << cache << ", frame " << frame;
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -50,6 +50,19 @@ std::string glbSquare() {
          little(sizeOf(data)) + std::string("BIN\0", 4) + data;
 }
 
+TEST(MeshImport, keepsTheVerticesOfTheFileOfABodyOnRequest) {
+  ImportOptions options;
+  options.use = MeshUse::Body;
+  const std::string obj = "v 9 9 9\n" + fourCorners + "v 1 0 0\nf 2 3 4\nf 6 5 4\n";
+  EXPECT_EQ(importMeshFromMemory("a.obj", obj, options).file, nullptr);
+  options.keepsFile = true;
+  const ImportedMesh mesh = importMeshFromMemory("a.obj", obj, options);
+  ASSERT_NE(mesh.file, nullptr);
+  ASSERT_EQ(mesh.file->particle.size(), 6U);
+  EXPECT_EQ(mesh.file->particle[0], -1) << "no face uses it";
+  EXPECT_EQ(mesh.file->particle[2], mesh.file->particle[5]) << "they are at one place";
+}
+
 TEST(MeshImport, readsAnObjFile) {
   const ImportedMesh mesh = import("a.obj", fourCorners + "f 1 2 3\nf 2 4 3\n");
   EXPECT_EQ(mesh.summary.vertices, 4);

@@ -56,6 +56,19 @@ TEST(DroppedFiles, SeveralMeshesRaiseTheQuestion) {
   EXPECT_TRUE(parts.scene.empty());
 }
 
+TEST(DroppedFiles, AVertexCacheMakesItsMeshABody) {
+  const DroppedFiles files = sortDropped({"/a/runner.obj", "/a/coat.obj", "/a/runner.PC2"});
+  EXPECT_EQ(files.caches, (std::vector<std::string>{"/a/runner.PC2"}));
+  EXPECT_TRUE(decide(files).ask);
+  EXPECT_EQ(likelyCloth(files), 1U);
+  const scene::SceneParts parts = partsWithCloth(files, 1);
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/runner.obj"}));
+  EXPECT_EQ(parts.caches, (std::vector<std::string>{"/a/runner.PC2"}));
+  for (const DroppedFiles& alone : {sortDropped({"/a/runner.pc2"}), sortDropped({"/a/coat.obj", "/a/runner.mdd"})}) {
+    EXPECT_NE(decide(alone).notice.find("drop garment, body and runner."), std::string::npos) << decide(alone).notice;
+  }
+}
+
 TEST(DroppedFiles, ASceneAndAMeshRaiseTheQuestionAndKeepTheScenesCloth) {
   const DroppedFiles files = sortDropped({"/a/room.toml", "/a/table.obj"});
   EXPECT_TRUE(decide(files).ask);
