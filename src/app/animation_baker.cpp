@@ -1,5 +1,6 @@
 #include "animation_baker.hpp"
 
+#include "io/mesh_import.hpp"
 #include "io/quoted_text.hpp"
 #include "messages/error.hpp"
 
@@ -21,8 +22,8 @@ namespace {
 
 using messages::InputError;
 
-constexpr double longestClip = 600.0;             // [s]
-constexpr std::size_t maxTriangles = 300'000;     // of a body that moves
+constexpr double longestClip = 600.0;  // [s]
+constexpr std::size_t maxTriangles = io::maxMovingTriangles;
 constexpr std::size_t maxPositions = 30'000'000;  // in all frames
 constexpr double usualTicks = 25.0;               // a second, for a file that does not say
 

@@ -125,6 +125,20 @@ void checkFile(const std::string& format, std::string_view bytes, const fs::path
   }
 }
 
+void requireFewTriangles(std::size_t triangles, const ImportOptions& options) {
+  if (options.maxTriangles > 0 && triangles > static_cast<std::size_t>(options.maxTriangles)) {
+    throw messages::InputError(
+        fmt::format("it has {} triangles, and the limit for this body is {}. Reduce the mesh first, for example with "
+                    "the modifier Decimate of Blender.",
+                    triangles, options.maxTriangles));
+  }
+}
+
+/// The triangles of the polygons of a file.
+std::size_t trianglesOf(const FileMesh& mesh) {
+  return mesh.corners.size() - 2 * mesh.faceEnds.size();
+}
+
 /// Welds the mesh. Messages name an outlier by the vertex number of the file.
 ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_view bytes, const std::string& format,
                        const ImportOptions& options) {
@@ -158,6 +172,7 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
   RawMesh raw;
   try {
     checkFile(format, bytes, folder, options.watch.part(0.0, 0.2), checked);
+    requireFewTriangles(trianglesOf(checked.mesh), options);  // before the slow part
     raw = replyOf({format}, checked.bytes, timeLimit, "another format (" + formatList() + ")",
                   options.watch.part(0.2, 0.7))
               .mesh;

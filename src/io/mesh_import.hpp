@@ -79,6 +79,9 @@ enum class OutlierRule { Refuse, LeaveOut };
 /// The use of the mesh. A body needs no pins, may have any size, and may have several pieces.
 enum class MeshUse { Cloth, Body };
 
+/// The most triangles of a body that moves its vertices or is dressed.
+inline constexpr int maxMovingTriangles = 300'000;
+
 /// How to read a mesh.
 struct ImportOptions {
   double metresPerUnit = 1.0;
@@ -89,6 +92,7 @@ struct ImportOptions {
   OutlierRule outliers = OutlierRule::Refuse;
   MeshUse use = MeshUse::Cloth;
   bool keepsFile = false;  ///< whether the result has the mesh of the file for a body too
+  int maxTriangles = 0;    ///< a file with more is refused before it is welded; 0: no limit
   ImportWatch watch = {};  ///< receives progress, and can cancel
 };
 

@@ -13,10 +13,14 @@
 namespace drape::scene {
 namespace {
 
+/// The most triangles of a body or a stand. Contact with more takes minutes to begin.
+constexpr int maxTriangles = 1'000'000;
+
 /// Import options for the meshes of bodies and stands: in metres, without progress.
 io::ImportOptions bodyOptions(const settings::Settings& settings, const io::ImportWatch& watch) {
   io::ImportOptions options;
   options.use = io::MeshUse::Body;
+  options.maxTriangles = maxTriangles;
   options.outliers = outlierRule(settings);
   options.watch.stop = watch.stop;
   return options;
@@ -36,8 +40,9 @@ io::ImportedMesh readBodyMesh(const MeshFileSource& source, const io::ImportOpti
 
 /// Reads one mesh from several files, which must have the same triangles.
 std::shared_ptr<const sim::contact::MeshShape> readMeshShape(const BodyDescription& description,
-                                                             const io::ImportOptions& options,
+                                                             io::ImportOptions options,
                                                              std::vector<std::string>& warnings) {
+  options.maxTriangles = description.meshes.size() > 1 ? io::maxMovingTriangles : options.maxTriangles;
   auto shape = std::make_shared<sim::contact::MeshShape>();
   for (const MeshFileSource& source : description.meshes) {
     std::vector<std::string> others;  // warnings of later frames repeat those of the first
@@ -93,6 +98,7 @@ std::shared_ptr<const sim::contact::MeshShape> readCachedMesh(const BodyDescript
                                                               io::ImportOptions options,
                                                               std::vector<std::string>& warnings) {
   options.keepsFile = true;
+  options.maxTriangles = io::maxMovingTriangles;
   const io::ImportedMesh mesh = readBodyMesh(description.meshes.front(), options, warnings);
   const CacheSource& source = *description.cache;
   try {

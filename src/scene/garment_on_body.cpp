@@ -21,6 +21,7 @@ constexpr std::string_view builtinPrefix = "builtin:";
 void useUnitAndAxes(const settings::Settings& settings, BodyDescription& body) {
   io::ImportOptions options;
   options.use = io::MeshUse::Body;
+  options.maxTriangles = io::maxMovingTriangles;
   options.outliers = outlierRule(settings);
   io::ImportedMesh mesh = readMesh(body.meshes.front(), options);
   const MeshReading reading = readUpright(settings::Settings().mesh, mesh);

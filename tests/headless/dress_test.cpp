@@ -42,6 +42,23 @@ std::string failure(const std::string& arguments) {
   return outcome.errors;
 }
 
+TEST(Dress, refusesABodyOfTooManyTriangles) {
+  const auto folder = testFolder();
+  const auto file = folder / "scan.obj";
+  std::ofstream text(file);
+  text << "v 0 0 0\nv 1 0 0\nv 0 1.7 0\n";
+  for (int face = 0; face < 300'001; ++face) {
+    text << "f 1 2 3\n";
+  }
+  text.close();
+  const std::string error =
+      failure("builtin:tshirt.obj " + file.string() + " --output " + (folder / "out.obj").string());
+  EXPECT_NE(error.find(file.string() + ": it has 300001 triangles, and the limit for this body is 300000"),
+            std::string::npos)
+      << error;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out.obj"));
+}
+
 TEST(Dress, writesAGarmentThatFitsTheFileAndSimulatesOnTheBody) {
   const auto folder = testFolder();
   const auto output = folder / "fitted.obj";

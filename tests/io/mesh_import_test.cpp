@@ -50,6 +50,25 @@ std::string glbSquare() {
          little(sizeOf(data)) + std::string("BIN\0", 4) + data;
 }
 
+TEST(MeshImport, refusesMoreTrianglesThanAllowed) {
+  ImportOptions options;
+  options.maxTriangles = 2;
+  const std::string quads = fourCorners + "f 1 2 4 3\n";
+  EXPECT_EQ(importMeshFromMemory("a.obj", quads, options).summary.triangles, 2);
+  options.maxTriangles = 1;
+  for (const auto& [name, bytes] : {std::pair("a.obj", quads), std::pair("a.glb", glbSquare())}) {
+    try {
+      (void)importMeshFromMemory(name, bytes, options);
+      ADD_FAILURE() << name;
+    } catch (const messages::InputError& error) {
+      EXPECT_NE(std::string(error.what())
+                    .find(std::string(name) + ": it has 2 triangles, and the limit for this body is 1. Reduce"),
+                std::string::npos)
+          << error.what();
+    }
+  }
+}
+
 TEST(MeshImport, keepsTheVerticesOfTheFileOfABodyOnRequest) {
   ImportOptions options;
   options.use = MeshUse::Body;

@@ -163,6 +163,23 @@ TEST_F(CachedBodies, WarnOfVerticesThatLeaveTheirPlace) {
   EXPECT_EQ(std::ranges::count_if(closed->summary.warnings, isThatWarning), 0);
 }
 
+TEST_F(CachedBodies, AreRefusedWithTooManyTriangles) {
+  std::string faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+  for (int face = 0; face < 300'001; ++face) {
+    faces += "f 1 2 3\n";
+  }
+  write("board.obj", faces);
+  const std::string problem = problemOf("cache = { file = \"board.pc2\" }");
+  EXPECT_NE(problem.find("it has 300001 triangles, and the limit for this body is 300000"), std::string::npos)
+      << problem;
+  for (int face = 0; face < 700'000; ++face) {
+    faces += "f 1 2 3\n";
+  }
+  write("board.obj", faces);
+  EXPECT_NE(problemOf("scale = 0.01").find("it has 1000001 triangles, and the limit for this body is 1000000"),
+            std::string::npos);
+}
+
 TEST_F(CachedBodies, AreSavedWithTheScene) {
   const SceneDescription description =
       open("scale = 0.01\ncache = { file = \"board.pc2\", rate = 12.5, loop = true }\nposition = [0, 1, 0]");

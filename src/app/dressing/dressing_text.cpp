@@ -153,7 +153,7 @@ std::string refusalOf(const dressing::Dressed& result, const std::string& garmen
 }
 
 void requireDressable(const WearNames& names, const sim::ClothMesh& garment, const sim::ClothMesh& body) {
-  constexpr std::size_t maxTriangles = 300'000;
+  constexpr std::size_t maxTriangles = io::maxMovingTriangles;
   if (body.triangles.size() > maxTriangles) {
     throw messages::InputError(fmt::format("{}: the body has {} triangles, and the limit is {}. Reduce the mesh first",
                                            names.body, body.triangles.size(), maxTriangles));
