@@ -144,7 +144,8 @@ void clampMembrane(const ClothModel& model, Fabric& fabric) {
 /// is: the cloth starts from it.
 std::vector<double> stiffnessAtVertices(const Fabric& fabric, const ClothModel& model) {
   constexpr double asInMesh = std::numeric_limits<double>::infinity();
-  const std::vector<Mat9> membrane = membraneAtRest(fabric, stiffened(fabric.materials), model, asInMesh);
+  const double maxStretch = fabric.patternMesh == PatternMesh::Strained ? asInMesh : 1.0;
+  const std::vector<Mat9> membrane = membraneAtRest(fabric, stiffened(fabric.materials), model, maxStretch);
   std::vector<double> largest = sumAtVertices(model, cornerBlocks(membrane));
   if (fabric.bends()) {
     std::ranges::transform(largest, fabric.bendingHalfSums, largest.begin(), std::plus<>());
@@ -277,7 +278,8 @@ void requireOneMaterialPerVertex(const ClothModel& model, const TriangleMaterial
 
 /// @param model with the rest lengths and areas of the triangles at rest
 std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const TriangleMaterials& materials,
-                                                std::vector<RestTriangle> rest, RestCurvature curvature) {
+                                                std::vector<RestTriangle> rest, RestCurvature curvature,
+                                                PatternMesh mesh) {
   if (!std::ranges::all_of(materials.list(), isStable)) {
     throw ClothModelError(ClothModelError::Fault::Material, {});
   }
@@ -285,8 +287,9 @@ std::shared_ptr<const ClothModel> withTriangles(const ClothModel& model, const T
   auto fabric = std::make_shared<Fabric>();
   fabric->materials = materials;
   fabric->restCurvature = curvature;
+  fabric->patternMesh = mesh;
   fabric->shape = restShapeOf(std::move(rest), model.triangles, edgesOf(model.triangles, model.restPositions.size()));
-  if (model.hasPattern) {
+  if (model.hasPattern && mesh == PatternMesh::Strained) {
     fabric->meshStrain = meshStrain(model, fabric->shape.triangles);
   }
   std::ranges::transform(fabric->shape.triangles, std::back_inserter(fabric->membraneScales), stiffnessScaleOf);
@@ -304,13 +307,14 @@ std::shared_ptr<const ClothModel> withFabric(const ClothModel& model, const Tria
         {.found = static_cast<std::int64_t>(warp.size()), .count = static_cast<std::int64_t>(model.triangles.size())});
   }
   return withTriangles(*withMeshSizes(model), materials, restTrianglesOf(model.restPositions, model.triangles, warp),
-                       curvature);
+                       curvature, PatternMesh::Strained);
 }
 
 std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model, const TriangleMaterials& materials,
-                                                    std::vector<RestTriangle> pattern, RestCurvature curvature) {
+                                                    std::vector<RestTriangle> pattern, RestCurvature curvature,
+                                                    PatternMesh mesh) {
   const std::shared_ptr<const ClothModel> sized = withPattern(model, pattern);
-  return withTriangles(*sized, materials, std::move(pattern), curvature);
+  return withTriangles(*sized, materials, std::move(pattern), curvature, mesh);
 }
 
 std::shared_ptr<const ClothModel> withStretchScales(const ClothModel& model, std::span<const double> scales) {

@@ -25,6 +25,12 @@ struct VertexPair {
   double bending = 0.0;  ///< their entry of the bending matrix [N/m]
 };
 
+/// How the mesh of a cloth is related to the pattern that is its rest shape.
+enum class PatternMesh {
+  Strained,  ///< it is the cloth's shape at the start, strained against the pattern
+  Unrelated  ///< it says nothing about any strain, as that of flat pieces after their seams are welded
+};
+
 /// What a cloth's fabric consists of: the materials, and what follows from it and from the rest shape. Constant.
 struct Fabric {
   /// Triangles with a common vertex have the same material.
@@ -42,7 +48,8 @@ struct Fabric {
   RaggedRows<SpringEnd> pairEnds;  ///< of each vertex, by ascending neighbour; `spring` is an index into pairs
   std::vector<std::array<int, 3>> pairsOfSides;  ///< of each triangle: the pairs of its sides
 
-  /// The strain of the mesh against the pattern. Nothing if the rest shape is the mesh.
+  PatternMesh patternMesh = PatternMesh::Strained;  ///< of a cloth with a pattern
+  /// The strain of the mesh against the pattern. Nothing if the rest shape is the mesh, or unrelated to it.
   std::optional<MeshStrain> meshStrain;
   double maxRatio = maxMembraneRatio;  ///< of the RateLimit of the membrane; that of bending is its square [-]
   int slivers = 0;                     ///< triangles whose stiffness is clamped, see sliverQuality and RateLimit
@@ -65,12 +72,13 @@ struct Fabric {
 
 /// The same cloth with a fabric whose rest shape is a flat sewing pattern instead of the mesh. Rest lengths and areas
 /// become those of the pattern (withPattern). Masses do not change. @param pattern one for each triangle of the cloth
-/// @param curvature the shape without bending moments
+/// @param curvature the shape without bending moments  @param mesh how the mesh is related to the pattern
 /// Throws ClothModelError as withFabric does, and if there are more or fewer triangles.
 [[nodiscard]] std::shared_ptr<const ClothModel> withPatternFabric(const ClothModel& model,
                                                                   const TriangleMaterials& materials,
                                                                   std::vector<RestTriangle> pattern,
-                                                                  RestCurvature curvature = RestCurvature::Flat);
+                                                                  RestCurvature curvature = RestCurvature::Flat,
+                                                                  PatternMesh mesh = PatternMesh::Strained);
 
 /// The same cloth with the stretch moduli and the stiffening of each material multiplied by a factor. Shear, bending
 /// and mass are the same. @param model must have a fabric  @param scales one for each of TriangleMaterials::list,

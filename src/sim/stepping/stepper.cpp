@@ -2,11 +2,13 @@
 
 #include "sim/contact/bodies/body.hpp"
 #include "sim/fabric/fabric.hpp"
+#include "sim/fabric/weld.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/local_rates.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/model/sim_error.hpp"
 #include "sim/motion/moving_frame.hpp"
+#include "sim/stepping/self_collision.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,6 +60,16 @@ adaptive::StretchMemory softestOf(const std::vector<adaptive::StretchMemory>& ma
   });
 }
 
+/// Lets the time begin anew for which cloth must be at rest before it sleeps.
+void keepAwake(ClothState& state) {
+  adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
+  if (memory.sleepReference != nullptr || memory.sleepFingerprint != 0) {
+    memory.sleepReference.reset();
+    memory.sleepFingerprint = 0;
+    adaptive::storeStepMemory(std::move(memory), state);
+  }
+}
+
 /// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
   return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
@@ -76,8 +88,9 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
                          ClothState& state) {
   // So that nothing below needs to ask which self-collision and which material act.
   StepParameters acting = parameters;
-  if (parameters.contact.self == contact::SelfCollision::Auto) {
-    acting.contact.self = info_->resolvesContacts ? contact::SelfCollision::Exact : contact::SelfCollision::Hash;
+  acting.contact.self = actingSelfCollision(parameters.contact.self, *info_);
+  if (!seams_.empty()) {
+    keepAwake(state);
   }
   if (!model.fabric) {
     return advance(model, acting, inputs, state);
@@ -205,6 +218,7 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   StepReport total;
   contact_.begin(parameters.contact, inputs, state);
   planPins(model, inputs, state);
+  closing_.plan(seams_, parameters.timeStep, state);
   const StepInputs own = inputsOfSolver(model, parameters, inputs, state);
   const int substeps = info_->choosesSubsteps && pinMotions_.empty() ? 1 : parameters.substeps;
   part.timeStep = parameters.timeStep / substeps;
@@ -224,6 +238,9 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
       advanceSubstepContacts(part.timeStep);
     }
   }
+  if (closing_.acts()) {
+    closeSeams(model, parameters, state);
+  }
   // Contact would move layers apart that are closer than their thickness, and so wake cloth that has fallen asleep.
   total.contact = total.choice && total.choice->sleeping
                       ? contact_.keepLast()
@@ -237,6 +254,12 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   return total;
 }
 
+void Stepper::closeSeams(const ClothModel& model, const StepParameters& parameters, ClothState& state) {
+  const double before = keepsContactWork_ ? energyOf(model, parameters, state).total() : 0.0;
+  closing_.apply(model, state);
+  earlierContactWork_ += keepsContactWork_ ? energyOf(model, parameters, state).total() - before : 0.0;
+}
+
 void Stepper::keepContactLoads(bool kept) {
   if (!kept) {
     contactLoads_ = {};
@@ -248,7 +271,7 @@ void Stepper::addContactLoads(const ClothModel& model, const ClothState& state) 
   if (std::exchange(contactLoadsAreOld_, false)) {
     contactLoads_.begin(model);
   }
-  contactLoads_.add(model, substepContacts_, state.positions);
+  contactLoads_.add(model, std::span(substepContacts_).first(substepContacts_.size() - seamContacts_), state.positions);
   if (const ClothState* unresolved = contact_.unresolved()) {
     contactLoads_.addCorrection(model, *unresolved, state);
   }
@@ -258,8 +281,12 @@ StepInputs Stepper::inputsOfSolver(const ClothModel& model, const StepParameters
                                    ClothState& state) {
   StepInputs own = inputs;
   substepContacts_.clear();
+  seamContacts_ = 0;
   if (info_->resolvesContacts) {
     contact_.findSubstepContacts(model, parameters, parameters.contact, inputs, state, substepContacts_);
+    const std::size_t contacts = substepContacts_.size();
+    closing_.appendContacts(substepContacts_);
+    seamContacts_ = substepContacts_.size() - contacts;
     own.contacts = substepContacts_.empty() ? nullptr : &substepContacts_;
   }
   return own;
@@ -302,7 +329,8 @@ Vec3 Stepper::meanPinVelocity(const ClothModel& model, double seconds) const {
   for (const PinMotion& pin : pinMotions_) {
     sum += pin.to - pin.from;
   }
-  const auto pins = std::count(model.pinned.begin(), model.pinned.end(), true);
+  const std::vector<bool> own = fabric::ownPinsOf(model);
+  const auto pins = std::count(own.begin(), own.end(), true);
   return sum / (static_cast<double>(pins) * seconds);
 }
 

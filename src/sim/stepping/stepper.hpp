@@ -8,8 +8,10 @@
 #include "sim/simd/fabric_damper.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/stepping/contact_loads.hpp"
+#include "sim/stepping/seam_closing.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace drape::sim {
@@ -34,6 +36,9 @@ namespace drape::sim {
 /// and stretches its springs; a solver that conserves energy would keep that energy. So `auto` gets the contacts at the
 /// start of each contact substep and applies their impulses in its own substeps (SolverInfo::resolvesContacts). Contact
 /// at the end then corrects what is left.
+///
+/// Seams that are not welded yet are drawn together in the same way (SeamClosing): in the substeps of a solver that
+/// resolves contacts, and before contact at the end of each contact substep.
 class Stepper {
  public:
   /// Throws UnknownSolver if there is no solver of that name.
@@ -46,6 +51,10 @@ class Stepper {
   StepReport step(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
 
+  /// Draws these seams together in the following steps. They must exist until then. Cloth with an open seam does not
+  /// sleep.
+  void drawTogether(std::span<const Seam> seams) { seams_ = seams; }
+
   /// Contact in the last step, or in its last contact substep.
   [[nodiscard]] const contact::ContactStage& contact() const { return contact_; }
   /// Number of contact substeps of the last step.
@@ -54,7 +63,8 @@ class Stepper {
   /// each. Off by default.
   void keepContactWork(bool kept) { keepsContactWork_ = kept; }
   /// Energy change by contact in the last step [J], without that at its end: the work of contacts that the solver
-  /// resolved, and, if it is measured, the corrections in the contact substeps before the last one.
+  /// resolved, and, if it is measured, the corrections in the contact substeps before the last one. The work of seams
+  /// that close is part of it.
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
   /// Energy change in the last step by the damping of the fabric and by settling [J].
   [[nodiscard]] double dampingWork() const { return dampingWork_; }
@@ -85,6 +95,8 @@ class Stepper {
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);
 
+  /// Draws the seams together at the end of a contact substep.
+  void closeSeams(const ClothModel& model, const StepParameters& parameters, ClothState& state);
   /// Adds the loads of a contact substep.
   void addContactLoads(const ClothModel& model, const ClothState& state);
   /// The inputs of the solver in a contact substep, with the contacts that it resolves.
@@ -133,7 +145,10 @@ class Stepper {
   double earlierContactWork_ = 0.0;             // [J]
   double dampingWork_ = 0.0;                    // [J]
   std::vector<PinMotion> pinMotions_;
-  std::vector<SubstepContact> substepContacts_;  // of the present contact substep
+  std::vector<SubstepContact> substepContacts_;  // of the present contact substep; those of seams come last
+  std::size_t seamContacts_ = 0;                 // how many of these are of seams
+  std::span<const Seam> seams_;                  // that are not welded
+  SeamClosing closing_;
 };
 
 }  // namespace drape::sim

@@ -175,7 +175,8 @@ void SelfContact::removeConnectedPairs(const ClothModel& model, double thickness
   const auto joined = [&](const VertexPair& pair) {
     const Vec3 atRest = model.restPositions[pair.b] - model.restPositions[pair.a];
     const bool restNear = atRest.squaredNorm() < thickness * thickness && model.areInOneCloth(pair.a, pair.b);
-    return restNear || connected(model, pair);
+    const bool isWelded = model.vertexTriangles[pair.a].empty() || model.vertexTriangles[pair.b].empty();
+    return restNear || isWelded || connected(model, pair);
   };
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(), joined), pairs.end());
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "sim/contact/contact_parameters.hpp"
+#include "sim/solvers/solver.hpp"
+
+namespace drape::sim {
+
+/// The method of self-collision that acts with a solver: never Auto.
+[[nodiscard]] inline contact::SelfCollision actingSelfCollision(contact::SelfCollision chosen,
+                                                                const SolverInfo& solver) {
+  if (chosen != contact::SelfCollision::Auto) {
+    return chosen;
+  }
+  return solver.resolvesContacts ? contact::SelfCollision::Exact : contact::SelfCollision::Hash;
+}
+
+}  // namespace drape::sim
