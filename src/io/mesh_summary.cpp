@@ -62,8 +62,7 @@ void warnAboutTopology(MeshUse use, MeshSummary& summary) {
                                " the faces point to opposite sides: shading and wind may look wrong there.");
   }
   if (use == MeshUse::Cloth && summary.components > 1) {
-    summary.warnings.push_back("It has " + std::to_string(summary.components) +
-                               " separate pieces: each needs its own pins to stay up.");
+    summary.warnings.push_back("It has " + std::to_string(summary.components) + std::string(piecesNeedPins));
   }
 }
 

@@ -8,7 +8,9 @@
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
+#include "sim/model/seams.hpp"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -136,6 +138,23 @@ struct ClothDescription {
   std::vector<OwnSetting> own;     ///< settings of this cloth, in the order in which they are assigned
 };
 
+/// A path along the open border of a cloth, as it is written in a scene file: from the first point to the last one, on
+/// the shorter way or through the point between them. A single point is the start of the whole border.
+struct BorderDescription {
+  std::string cloth;          ///< its name; empty: the only cloth
+  std::vector<int> vertices;  ///< the points by index, or
+  std::vector<Vec3> nearest;  ///< as the vertices of the border that are nearest to points of the rest shape [m]
+};
+
+/// A seam as it is written in a scene file: one table of [[seams]].
+struct SeamDescription {
+  /// The two sides. With `pairs` only their cloths are used.
+  std::array<BorderDescription, 2> sides;
+  std::vector<std::array<int, 2>> pairs;  ///< vertices by index; empty: the pairs follow from the sides
+  double duration = 1.0;                  ///< [s]
+  std::string where;                      ///< file and line, for messages
+};
+
 /// A scene as it is written in its file (docs/guide/scenes.md), before anything is built.
 struct SceneDescription {
   SceneParts parts;   ///< what it was opened from
@@ -143,7 +162,8 @@ struct SceneDescription {
   std::string title;  ///< "A flag in the wind"
   std::string help;
   std::vector<ClothDescription> cloths = std::vector<ClothDescription>(1);  ///< at least one
-  std::optional<CameraPose> camera;                                         ///< absent: the cloth fills the view
+  std::vector<SeamDescription> seams;
+  std::optional<CameraPose> camera;  ///< absent: the cloth fills the view
   std::optional<StandDescription> stand;
   std::vector<BodyDescription> bodies;
   std::optional<double> groundHeight;                       ///< absent: groundHeightOf chooses it [m]
@@ -178,6 +198,7 @@ struct Scene {
   settings::Settings settings;  ///< the settings with which it was built
   std::shared_ptr<const sim::ClothModel> model;
   sim::ClothState start;
+  std::shared_ptr<const std::vector<sim::Seam>> seams = std::make_shared<std::vector<sim::Seam>>();  ///< never null
   io::RenderMesh renderMesh;
   std::vector<ClothPart> cloths = std::vector<ClothPart>(1);  ///< at least one, in the order of the description
   io::MeshSummary summary;

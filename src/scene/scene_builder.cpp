@@ -1,11 +1,14 @@
+#include "io/mesh_summary.hpp"
 #include "scene/body_builder.hpp"
 #include "scene/cloth_builder.hpp"
 #include "scene/framing.hpp"
 #include "scene/ground.hpp"
 #include "scene/pin_advice.hpp"
 #include "scene/scene.hpp"
+#include "scene/seam_builder.hpp"
 #include "sim/model/bounds.hpp"
 
+#include <string>
 #include <utility>
 
 namespace drape::scene {
@@ -34,11 +37,16 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   JoinedCloths joined = joinCloths(description, settings, watch.part(0.0, meshIsRead));
   watch.tell(meshIsRead, "Building");
   scene->model = modelOf(joined, settings);
+  scene->seams = std::make_shared<const std::vector<sim::Seam>>(seamsOf(description.seams, joined, *scene->model));
   watch.tell(0.95, "Building");
   scene->start = sim::stateAtRest(std::move(joined.start));
   scene->renderMesh = std::move(joined.renderMesh);
   scene->summary = std::move(joined.summary);
   scene->cloths = std::move(joined.cloths);
+  if (!description.seams.empty()) {
+    std::erase_if(scene->summary.warnings,
+                  [](const std::string& warning) { return warning.ends_with(io::piecesNeedPins); });
+  }
   if (joined.showsReading) {
     scene->reading = joined.reading;
   }

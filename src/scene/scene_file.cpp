@@ -4,6 +4,7 @@
 #include "scene/body_reader.hpp"
 #include "scene/fabric_file.hpp"
 #include "scene/framing.hpp"
+#include "scene/seam_file.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
 
@@ -237,14 +238,17 @@ void readOwnSettings(const TomlReader& reader, SceneDescription& scene, ClothDes
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                             const std::filesystem::path& folder, const settings::OwnFabrics& own) {
   const TomlReader reader(text, file);
-  reader.allowOnly(
-      {"title", "help", "cloth", "cloths", "pins", "camera", "stand", "ground", "bodies", "settings", "fabrics"});
+  reader.allowOnly({"title", "help", "cloth", "cloths", "pins", "seams", "camera", "stand", "ground", "bodies",
+                    "settings", "fabrics"});
   SceneDescription scene;
   scene.settings.fabric.own = settings::joined(own, readFabrics(reader));
   scene.name = name;
   scene.title = reader.text("title").value_or(name);
   scene.help = reader.text("help").value_or("");
   scene.cloths = readCloths(reader, file, folder);
+  for (const TomlReader& seam : reader.tables("seams")) {
+    scene.seams.push_back(readSeam(seam));
+  }
   if (const auto camera = reader.table("camera")) {
     scene.camera = readCamera(*camera);
   }

@@ -5,6 +5,7 @@
 #include "scene/fabric_file.hpp"
 #include "scene/mesh_reading.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/seam_file.hpp"
 #include "scene/settings_writer.hpp"
 
 #include <fmt/core.h>
@@ -236,6 +237,9 @@ std::string documentText(Writing& writing) {
     writing.toml.text("help", description.help);
   }
   writeCloths(writing);
+  for (const SeamDescription& seam : description.seams) {
+    writeSeam(seam, writing.toml);
+  }
   writeCamera(description.camera, writing.toml);
   writeBodies(writing);
   writeStandAndGround(writing);

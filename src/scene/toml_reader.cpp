@@ -8,6 +8,18 @@
 #include <limits>
 
 namespace drape::scene {
+namespace {
+
+/// A whole number that is not negative; none for any other value.
+std::optional<int> indexOf(const toml::node& node) {
+  const auto value = node.value_exact<std::int64_t>();
+  if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) {
+    return std::nullopt;
+  }
+  return static_cast<int>(*value);
+}
+
+}  // namespace
 
 settings::SettingValue settingValueOf(const toml::node& node) {
   if (const auto* flag = node.as_boolean()) {
@@ -178,13 +190,20 @@ std::vector<std::string> TomlReader::texts(std::string_view key) const {
 }
 
 std::vector<int> TomlReader::integers(std::string_view key) const {
-  return list<int>(key, "whole numbers", [](const toml::node& entry) -> std::optional<int> {
-    const auto value = entry.value_exact<std::int64_t>();
-    if (!value || *value < 0 || *value > std::numeric_limits<int>::max()) {
-      return std::nullopt;
-    }
-    return static_cast<int>(*value);
-  });
+  return list<int>(key, "whole numbers", indexOf);
+}
+
+std::vector<std::array<int, 2>> TomlReader::pairs(std::string_view key) const {
+  return list<std::array<int, 2>>(key, "pairs of vertices [a, b]",
+                                  [](const toml::node& entry) -> std::optional<std::array<int, 2>> {
+                                    const toml::array* both = entry.as_array();
+                                    if (both == nullptr || both->size() != 2) {
+                                      return std::nullopt;
+                                    }
+                                    const std::optional<int> first = indexOf(*both->get(0));
+                                    const std::optional<int> second = indexOf(*both->get(1));
+                                    return first && second ? std::optional(std::array{*first, *second}) : std::nullopt;
+                                  });
 }
 
 std::vector<Vec3> TomlReader::vectors(std::string_view key) const {

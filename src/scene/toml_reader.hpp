@@ -4,6 +4,7 @@
 #include "sim/model/vector.hpp"
 
 #include <toml++/toml.h>
+#include <array>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -46,6 +47,8 @@ class TomlReader {
   [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
   [[nodiscard]] std::vector<int> integers(std::string_view key) const;
   [[nodiscard]] std::vector<Vec3> vectors(std::string_view key) const;
+  /// Lists of two whole numbers, none negative.
+  [[nodiscard]] std::vector<std::array<int, 2>> pairs(std::string_view key) const;
   [[nodiscard]] std::vector<TomlReader> tables(std::string_view key) const;
   /// The same, where a single table counts as a list of one.
   [[nodiscard]] std::vector<TomlReader> tableOrTables(std::string_view key) const;

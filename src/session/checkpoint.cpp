@@ -74,7 +74,7 @@ std::uint64_t checksumOf(std::string_view bytes) {
 /// Of everything that the vertices of a state belong to: triangles, start, pins and bodies.
 std::uint64_t fingerprintOf(const Simulation& simulation) {
   sim::Fingerprint print;
-  const sim::ClothModel& model = simulation.model();
+  const sim::ClothModel& model = *simulation.cloth().pieces();
   for (const Triangle& triangle : model.triangles) {
     for (const int vertex : triangle) {
       print.add(static_cast<std::uint64_t>(vertex));

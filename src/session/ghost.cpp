@@ -18,9 +18,23 @@ void Ghost::reset(const sim::ClothState& start) {
   report_ = {};
 }
 
-bool Ghost::step(const sim::ClothModel& model, const settings::Settings& settings, const sim::StepInputs& inputs) {
+/// Takes the pieces and the seams of the first cloth, with the welds of the ghost.
+void Ghost::useCloth(const sim::SewnCloth& first) {
+  if (cloth_.pieces() != first.pieces()) {
+    cloth_ = first;
+  }
+  cloth_.follow(state_);
+}
+
+bool Ghost::step(const sim::SewnCloth& cloth, const settings::Settings& settings, const sim::StepInputs& inputs) {
   const auto before = std::chrono::steady_clock::now();
-  report_ = stepper_.step(model, ghostParameters(settings), inputs, state_);
+  useCloth(cloth);
+  const sim::StepParameters parameters = cloth_.acting(ghostParameters(settings), state_.time);
+  stepper_.drawTogether(cloth_.openSeams());
+  report_ = stepper_.step(*cloth_.model(), parameters, inputs, state_);
+  if (cloth_.hasSeams()) {
+    cloth_.weld(sim::weldDistanceOf(*cloth_.model(), parameters.contact, solver()), state_);
+  }
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   return sim::isFinite(state_);
 }

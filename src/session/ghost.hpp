@@ -3,6 +3,8 @@
 #include "session/pin_places.hpp"
 #include "session/snapshot.hpp"
 #include "settings/settings.hpp"
+#include "sim/fabric/weld.hpp"
+#include "sim/stepping/sewn_cloth.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <string>
@@ -25,7 +27,9 @@ class Ghost {
   void reset(const sim::ClothState& start);
 
   /// Moves the pinned vertices by `by` [m].
-  void movePins(const sim::ClothModel& model, const Vec3& by) { sim::movePins(model.pinned, by, state_); }
+  void movePins(const sim::ClothModel& model, const Vec3& by) {
+    sim::movePins(sim::fabric::ownPinsOf(model), by, state_);
+  }
 
   /// Moves vertices to places [m], at rest.
   void placePins(const std::vector<int>& vertices, const std::vector<Vec3>& places) {
@@ -33,7 +37,8 @@ class Ghost {
   }
 
   /// Advances by one time step, with the substeps of `settings.ghost`. False when the state is no longer finite.
-  [[nodiscard]] bool step(const sim::ClothModel& model, const settings::Settings& settings,
+  /// @param cloth the first one; other seams can be welded in it than in the ghost
+  [[nodiscard]] bool step(const sim::SewnCloth& cloth, const settings::Settings& settings,
                           const sim::StepInputs& inputs);
 
   [[nodiscard]] const sim::SolverInfo& solver() const { return stepper_.info(); }
@@ -43,7 +48,10 @@ class Ghost {
   void capture(const sim::ClothState& first, GhostStatus& status) const;
 
  private:
+  void useCloth(const sim::SewnCloth& first);
+
   sim::Stepper stepper_;
+  sim::SewnCloth cloth_;
   sim::ClothState state_;
   sim::StepReport report_;
   double stepSeconds_ = 0.0;  // duration of the last step

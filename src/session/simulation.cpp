@@ -6,6 +6,7 @@
 #include "session/pin_places.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/surface_fields.hpp"
+#include "sim/fabric/weld.hpp"
 #include "sim/forces/attachment_limit.hpp"
 #include "sim/motion/unfolding.hpp"
 #include "sim/stepping/untangling.hpp"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -48,7 +50,9 @@ void Simulation::step() {
   inputs_.onProgress = onProgress_ ? &onProgress_ : nullptr;
   stepper_->keepContactWork(balance_.has_value());
   stepper_->keepContactLoads(isObserved());
-  stepReport_ = stepper_->step(*model_, settings_.step, inputs_, state_);
+  stepper_->drawTogether(cloth_.openSeams());
+  const sim::StepParameters parameters = cloth_.acting(settings_.step, state_.time);
+  stepReport_ = stepper_->step(*model_, parameters, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
   blewUp_ = !sim::isFinite(state_);
@@ -60,14 +64,36 @@ void Simulation::step() {
     return;
   }
   if (balance_) {
-    balance_->add(*model_, settings_.step, inputs_, lastFinite_, state_, stepper_->contact().unresolved(),
+    balance_->add(*model_, parameters, inputs_, lastFinite_, state_, stepper_->contact().unresolved(),
                   {stepper_->earlierContactWork(), stepper_->dampingWork()});
   }
   stepGhost();
   reportOverlap();
+  closeSeams();
   ++stepIndex_;
   ++stepsTaken_;
   updateCostBudget();
+}
+
+/// Welds the seams that are closed.
+void Simulation::closeSeams() {
+  if (!cloth_.hasSeams()) {
+    return;
+  }
+  const double distance = sim::weldDistanceOf(*model_, settings_.step.contact, stepper_->info());
+  if (cloth_.weld(distance, state_)) {
+    model_ = cloth_.model();
+  }
+}
+
+void Simulation::changeCloth(std::shared_ptr<const sim::ClothModel> pieces) {
+  cloth_.change(std::move(pieces));
+  model_ = cloth_.model();
+}
+
+void Simulation::followState() {
+  cloth_.follow(state_);
+  model_ = cloth_.model();
 }
 
 void Simulation::updateCostBudget() {
@@ -102,7 +128,7 @@ void Simulation::reportOverlap() {
 }
 
 void Simulation::stepGhost() {
-  if (ghost_ && !ghost_->step(*model_, settings_, inputs_)) {
+  if (ghost_ && !ghost_->step(cloth_, settings_, inputs_)) {
     message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " + std::to_string(state_.time) +
                " s and was removed. Use more substeps, or another solver for it.";
     settings_.ghost.solver = "off";
@@ -138,6 +164,7 @@ void Simulation::replay(const std::vector<LoggedCommand>& log, std::int64_t step
 
 void Simulation::continueFrom(sim::ClothState state, std::int64_t step) {
   state_ = std::move(state);
+  followState();
   stepIndex_ = step;
   stepReport_ = {};
   stepper_->keepContactLoads(false);  // forgets those of the last step
@@ -156,7 +183,7 @@ void Simulation::continueFrom(sim::ClothState state, std::int64_t step) {
 
 void Simulation::capture(Snapshot& snapshot) const {
   snapshot.scene = scene_;
-  snapshot.model = model_;
+  snapshot.model = cloth_.pieces();
   snapshot.positions = state_.positions;
   snapshot.placedStart = placedStart_;
   snapshot.step = stepIndex_;
@@ -235,10 +262,12 @@ void Simulation::captureForFields(Snapshot& snapshot) const {
     return;
   }
   snapshot.velocities = state_.velocities;
+  cloth_.spread<Vec3>(snapshot.velocities);
   // A new scene, a reset or another solver has no last step.
   if (stepIndex_ > 0 && stepper_->contactLoads().known()) {
     snapshot.contactImpulses = stepper_->contactLoads().impulses();
     snapshot.contactImpulses.resize(state_.positions.size(), 0.0);
+    cloth_.spread<double>(snapshot.contactImpulses);
   }
 }
 
@@ -265,11 +294,11 @@ void Simulation::on(const SetOwnFabricsCommand& command) {
 void Simulation::useSettings(settings::Settings changed, settings::SettingEffect effect) {
   requireSolversForMaterial(changed);
   if (effect == settings::SettingEffect::Mass) {
-    model_ = scene::withMasses(*model_, scene_->cloths, changed);
+    const auto weighed = scene::withMasses(*cloth_.pieces(), scene_->cloths, changed);
     // A fabric's highest frequency depends on the masses.
-    model_ = scene::withElasticity(*model_, scene_->cloths, changed);
+    changeCloth(scene::withElasticity(*weighed, scene_->cloths, changed));
   } else if (effect == settings::SettingEffect::Fabric) {
-    model_ = scene::withMaterial(*model_, scene_->cloths, changed);
+    changeCloth(scene::withMaterial(*cloth_.pieces(), scene_->cloths, changed));
   }
   settings_ = std::move(changed);
   timeline_.limit(settings_.timeline.memory);
@@ -293,8 +322,10 @@ void Simulation::on(const ResetCommand&) {
     state_ = sim::stateAtRest(*placedStart_);
     state_.time = scene_->start.time;
   }
+  followState();
   const bool unfolded = sim::makeUnfoldable(*model_, state_);
   restartFigures();
+  cloth_.carry(state_);
   bodies_.reset(state_.time);
   if (ghost_) {
     ghost_->reset(state_);
@@ -329,6 +360,7 @@ void Simulation::restAt(std::vector<Vec3> positions) {
   const double time = state_.time;
   state_ = sim::stateAtRest(std::move(positions));
   state_.time = time;
+  followState();
   if (ghost_) {
     ghost_->reset(state_);
   }
@@ -379,9 +411,14 @@ void Simulation::on(const TogglePinCommand&) {
   if (!inputs_.attachment) {
     throw messages::InputError("Hold the cloth with the mouse, then press P to pin it there.");
   }
-  std::vector<bool> pinned = model_->pinned;
-  pinned[sim::attachedCorners(*model_, *inputs_.attachment).nearestVertex()].flip();
-  model_ = sim::withPins(*model_, std::move(pinned));
+  const std::size_t nearest = sim::attachedCorners(*model_, *inputs_.attachment).nearestVertex();
+  const bool pins = !model_->pinned[nearest];
+  std::vector<bool> pinned = cloth_.pieces()->pinned;
+  for (const int vertex : cloth_.weldedTo(static_cast<int>(nearest))) {
+    pinned[vertex] = false;
+  }
+  pinned[nearest] = pins;
+  changeCloth(sim::withPins(*cloth_.pieces(), std::move(pinned)));
 }
 
 void Simulation::on(const SetPinsCommand& command) {
@@ -389,7 +426,7 @@ void Simulation::on(const SetPinsCommand& command) {
   for (const int vertex : command.vertices) {
     pinned[requireVertex(vertex)] = true;
   }
-  model_ = sim::withPins(*model_, std::move(pinned));
+  changeCloth(sim::withPins(*cloth_.pieces(), std::move(pinned)));
 }
 
 void Simulation::on(const PlacePinsCommand& command) {
@@ -402,6 +439,7 @@ void Simulation::on(const PlacePinsCommand& command) {
     }
   }
   placeVertices(command.vertices, command.places, state_);
+  cloth_.carry(state_);
   if (ghost_) {
     ghost_->placePins(command.vertices, command.places);
   }
@@ -411,10 +449,11 @@ void Simulation::on(const MovePinsCommand& command) {
   if (!command.by.allFinite()) {
     throw messages::InputError("pins can only be moved by finite distances");
   }
-  if (std::find(model_->pinned.begin(), model_->pinned.end(), true) == model_->pinned.end()) {
+  if (std::ranges::none_of(sim::fabric::ownPinsOf(*model_), std::identity{})) {
     throw messages::InputError("there are no pins to move");
   }
-  sim::movePins(model_->pinned, command.by, state_);
+  sim::movePins(sim::fabric::ownPinsOf(*model_), command.by, state_);
+  cloth_.carry(state_);
   if (ghost_) {
     ghost_->movePins(*model_, command.by);
   }
@@ -540,7 +579,8 @@ void Simulation::on(const LoadSceneCommand& command) {
   requireSolversForMaterial(command.scene->settings);
   scene_ = command.scene;
   placedStart_.reset();
-  model_ = scene_->model;
+  cloth_.use(scene_->model, scene_->seams);
+  model_ = cloth_.model();
   settings_ = scene_->settings;
   ghost_.reset();
   timeline_.clear();

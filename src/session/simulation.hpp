@@ -7,6 +7,7 @@
 #include "session/timeline.hpp"
 #include "sim/contact/bodies/world.hpp"
 #include "sim/contact/exact/intersection_search.hpp"
+#include "sim/stepping/sewn_cloth.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <cstdint>
@@ -61,7 +62,10 @@ class Simulation {
   void capture(Snapshot& snapshot) const;
 
   [[nodiscard]] const scene::Scene& scene() const { return *scene_; }
+  /// The cloth as it is now. It changes when a seam is welded.
   [[nodiscard]] const sim::ClothModel& model() const { return *model_; }
+  /// The cloth and its seams.
+  [[nodiscard]] const sim::SewnCloth& cloth() const { return cloth_; }
   [[nodiscard]] const sim::ClothState& state() const { return state_; }
   [[nodiscard]] const sim::contact::BodyWorld& bodies() const { return bodies_; }
   [[nodiscard]] const settings::Settings& settings() const { return settings_; }
@@ -109,6 +113,11 @@ class Simulation {
   void on(const StepBackCommand& command);
   void on(const LoadSceneCommand& command);
 
+  /// The pieces of the cloth with other pins, masses or materials.
+  void changeCloth(std::shared_ptr<const sim::ClothModel> pieces);
+  /// Takes the model for the state, which was replaced.
+  void followState();
+  void closeSeams();
   void useSettings(settings::Settings changed, settings::SettingEffect effect);
   void useSolvers();
   void useBalance();
@@ -129,7 +138,8 @@ class Simulation {
   void reportOverlap();
 
   std::shared_ptr<const scene::Scene> scene_;
-  std::shared_ptr<const sim::ClothModel> model_;
+  sim::SewnCloth cloth_;
+  std::shared_ptr<const sim::ClothModel> model_;  // that of cloth_
   settings::Settings settings_;
   std::unique_ptr<sim::Stepper> stepper_;
   std::unique_ptr<sim::contact::IntersectionSearch> intersections_ =  // for drawing; never null

@@ -44,9 +44,10 @@ struct BodyStatus {
 /// The state of the simulation at a step boundary. The renderer and the panels see nothing else of it.
 struct Snapshot {
   std::shared_ptr<const scene::Scene> scene;
-  std::shared_ptr<const sim::ClothModel> model;  ///< the scene's model, or a successor with other masses or pins
-  std::vector<Vec3> positions;                   ///< one per vertex [m]
-  std::vector<Vec3> velocities;                  ///< one per vertex [m/s]; only with view.colour_map or when observed
+  /// The scene's model, or a successor with other masses or pins. Its pieces are apart where seams are welded.
+  std::shared_ptr<const sim::ClothModel> model;
+  std::vector<Vec3> positions;   ///< one per vertex [m]
+  std::vector<Vec3> velocities;  ///< one per vertex [m/s]; only with view.colour_map or when observed
   /// Of the last step, one per vertex, see ContactLoads [N s]; likewise, and empty before the next step.
   std::vector<double> contactImpulses;
   /// Where a PlaceClothCommand let the scene start [m]; null: it starts as it was built.

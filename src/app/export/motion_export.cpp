@@ -30,7 +30,8 @@ struct MotionExport::Output {
   void add(const session::Simulation& simulation, const std::vector<Vec3>& positions) {
     Frame frame;
     for (const std::size_t cloth : cloths) {
-      frame.push_back(exportedShape(simulation.model(), positions, simulation.scene().cloths[cloth], coordinates));
+      frame.push_back(
+          exportedShape(*simulation.cloth().pieces(), positions, simulation.scene().cloths[cloth], coordinates));
     }
     writer->add(frame);
     ++frames;

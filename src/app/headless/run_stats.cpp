@@ -49,7 +49,7 @@ nlohmann::ordered_json stabilityLimit(const sim::ClothModel& model, const settin
 
 /// What the fabric's rest shape is, and for a pattern its scale and the strain of the mesh against it.
 nlohmann::ordered_json restShapeJson(const session::Simulation& simulation) {
-  const sim::ClothModel& model = simulation.model();
+  const sim::ClothModel& model = *simulation.cloth().pieces();
   if (!model.fabric->meshStrain || !settings::restsOnPattern(simulation.settings())) {
     return {{"from", "mesh"}, {"area", model.restArea()}};
   }
@@ -76,7 +76,7 @@ nlohmann::ordered_json fabricJson(const session::Simulation& simulation) {
 
 /// The cloths of the scene: which vertices and triangles are theirs, their mass and, if they are fabrics, its name.
 nlohmann::ordered_json clothsJson(const session::Simulation& simulation) {
-  const sim::ClothModel& model = simulation.model();
+  const sim::ClothModel& model = *simulation.cloth().pieces();
   nlohmann::ordered_json cloths = nlohmann::ordered_json::array();
   for (const scene::ClothPart& cloth : simulation.scene().cloths) {
     const auto masses = model.vertexMass.begin() + cloth.firstVertex;
@@ -171,7 +171,7 @@ nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) c
   json["triangles"] = model.triangles.size();
   json["cloths"] = clothsJson(simulation);
   json["fabric"] = fabricJson(simulation);
-  json["pins"] = std::count(model.pinned.begin(), model.pinned.end(), true);
+  json["pins"] = std::ranges::count(simulation.cloth().pieces()->pinned, true);
   json["mass"] = model.totalMass();
   json["steps"] = simulation.stepIndex();
   json["time"] = simulation.state().time;

@@ -61,10 +61,13 @@ Outline dressOutline(double neckDepth) {
   return outline;
 }
 
-void addDressSide(bool front, RawMesh& dress) {
+/// The front or the back of the dress.
+/// @param distanceOf the distance of each point from the plane between both [m]
+template <typename DistanceOf>
+void addDressSide(bool front, const DistanceOf& distanceOf, RawMesh& dress) {
   const Outline outline = dressOutline(front ? frontNeckDepth : backNeckDepth);
   const FlatMesh mesh = meshPattern({outline.points(), {}}, edgeLength);
-  const std::vector<double> distance = puffed(mesh, outline.sewn(), edgeLength, puffHeight);
+  const std::vector<double> distance = distanceOf(mesh, outline);
   std::vector<Vec3> positions;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Vec2& flat = mesh.points[i];
@@ -77,10 +80,23 @@ void addDressSide(bool front, RawMesh& dress) {
 }  // namespace
 
 RawMesh makeDress() {
+  const auto puff = [](const FlatMesh& mesh, const Outline& outline) {
+    return puffed(mesh, outline.sewn(), edgeLength, puffHeight);
+  };
   RawMesh dress;
-  addDressSide(true, dress);
-  addDressSide(false, dress);
+  addDressSide(true, puff, dress);
+  addDressSide(false, puff, dress);
   return dress;
+}
+
+RawMesh makeDressPattern() {
+  const auto flat = [](const FlatMesh& mesh, const Outline&) {
+    return std::vector<double>(mesh.points.size(), garment::patternDistance);
+  };
+  RawMesh pieces;
+  addDressSide(true, flat, pieces);
+  addDressSide(false, flat, pieces);
+  return pieces;
 }
 
 }  // namespace drape::io

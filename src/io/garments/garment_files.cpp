@@ -32,6 +32,7 @@ std::vector<GarmentFile> garmentFiles() {
           clothFile("short_tshirt.obj", makeShortTshirt()),
           clothFile("fitted_skirt.obj", makeFittedSkirt()),
           clothFile("dress.obj", makeDress()),
+          clothFile("dress_pattern.obj", makeDressPattern()),
           solidFile("stand.obj", makeSkirtStand()),
           solidFile("hanger.obj", makeHangerStand()),
           solidFile("pole.obj", makeFlagPole()),

@@ -23,6 +23,8 @@ inline constexpr double flagTop = 2.4;      ///< of the flag's upper corner
 inline constexpr double railHeight = 2.27;  ///< of the curtain rail's axis
 inline constexpr double railLength = 1.9;
 
+inline constexpr double patternDistance = 0.21;  ///< of the flat pieces of the dress from the plane between them
+
 inline constexpr double tableHeight = 0.74;
 inline constexpr double tableRadius = 0.45;
 
@@ -58,6 +60,9 @@ inline constexpr double tableRadius = 0.45;
 
 /// A sleeveless dress for the figure, of a front and a back, sewn at the shoulders and sides.
 [[nodiscard]] RawMesh makeDress();
+
+/// The flat front and back of this dress, before and behind the figure, not sewn.
+[[nodiscard]] RawMesh makeDressPattern();
 
 /// The stand of the skirt: base, pole, and hoops at its waist and hips. No texture coordinates, like the following
 /// solids.
