@@ -157,7 +157,6 @@ TEST(Sewing, keepsTheWeldsWhenTheFabricChanges) {
 TEST(Sewing, weldsTheGhostAtItsOwnTime) {
   auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
   description.settings.ghost.solver = "auto";
-  description.settings.step.contact.self = sim::contact::SelfCollision::Off;
   Simulation simulation(scene::buildScene(description, description.settings));
   take(simulation, 250);
   expectWelded(simulation);
