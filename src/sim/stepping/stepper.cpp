@@ -60,12 +60,14 @@ adaptive::StretchMemory softestOf(const std::vector<adaptive::StretchMemory>& ma
   });
 }
 
-/// Lets the time begin anew for which cloth must be at rest before it sleeps.
+/// Lets the time begin anew for which cloth must be at rest before it settles and sleeps.
 void keepAwake(ClothState& state) {
   adaptive::StepMemory memory = adaptive::stepMemoryOf(state);
-  if (memory.sleepReference != nullptr || memory.sleepFingerprint != 0) {
+  if (memory.sleepReference != nullptr || memory.sleepFingerprint != 0 || memory.settlingReference != nullptr) {
     memory.sleepReference.reset();
     memory.sleepFingerprint = 0;
+    memory.settlingReference.reset();
+    memory.slowIntervals = 0;
     adaptive::storeStepMemory(std::move(memory), state);
   }
 }

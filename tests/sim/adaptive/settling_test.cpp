@@ -141,7 +141,6 @@ class SwingingOverAnEdge : public ::testing::Test {
 TEST_F(SwingingOverAnEdge, fallsAsleepEarlierThanWithATighterTolerance) {
   ASSERT_TRUE(fallsAsleep(60.0));
   const double asleepAt = state.time;
-  std::printf("asleep at %g s\n", asleepAt);
   parameters.automatic.errorTolerance = 1e-7;
   state = stateAtRest(model->restPositions);
   EXPECT_FALSE(fallsAsleep(asleepAt));
@@ -161,7 +160,6 @@ TEST_F(SwingingOverAnEdge, movesLessThanTheToleranceAwayFromTheMotionWithoutSett
     storeStepMemory(std::move(memory), free);
     stepper.step(*model, parameters, inputs, free);
   }
-  std::printf("began at %g s, distance %g m\n", end - 0.2, meanDistance(state.positions, free.positions));
   EXPECT_GT(meanDistance(state.positions, free.positions), 0.0);
   EXPECT_LT(meanDistance(state.positions, free.positions), parameters.automatic.errorTolerance);
 }
