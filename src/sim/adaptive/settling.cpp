@@ -8,18 +8,6 @@
 namespace drape::sim::adaptive {
 namespace {
 
-/// Whether the mean displacement is below the tolerance [m], and no displacement exceeds a multiple of it.
-bool hardlyMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& positions, double tolerance) {
-  double sum = 0.0;
-  double largest = 0.0;
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    const double distance = (positions[v] - before[v]).norm();
-    sum += distance;
-    largest = std::max(largest, distance);
-  }
-  return sum < tolerance * static_cast<double>(positions.size()) && largest < tuning.maxSettlingRatio * tolerance;
-}
-
 void beginInterval(const ClothState& state, StepMemory& memory) {
   memory.settlingReference = std::make_shared<const std::vector<Vec3>>(state.positions);
   memory.settlingReferenceTime = state.time;
@@ -31,7 +19,7 @@ void updateIntervals(double tolerance, const ClothState& state, StepMemory& memo
                      memory.settlingReference->size() != state.positions.size() ||
                      state.time < memory.settlingReferenceTime;
   const bool isOver = !isNew && state.time >= memory.settlingReferenceTime + tuning.settlingInterval;
-  const bool settles = memory.slowIntervals == tuning.settlingIntervals;
+  const bool settles = isSettling(memory);
   const bool isSlow =
       !isNew && (isOver || settles) && hardlyMoved(*memory.settlingReference, state.positions, tolerance);
   if (isNew || ((isOver || settles) && !isSlow)) {
@@ -45,6 +33,21 @@ void updateIntervals(double tolerance, const ClothState& state, StepMemory& memo
 
 }  // namespace
 
+bool isSettling(const StepMemory& memory) {
+  return memory.slowIntervals == tuning.settlingIntervals;
+}
+
+bool hardlyMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& positions, double distance) {
+  double sum = 0.0;
+  double largest = 0.0;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    const double moved = (positions[v] - before[v]).norm();
+    sum += moved;
+    largest = std::max(largest, moved);
+  }
+  return sum < distance * static_cast<double>(positions.size()) && largest < tuning.maxSettlingRatio * distance;
+}
+
 double settle(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory, ClothState& state) {
   if (conditions.inputs.contacts == nullptr || !isUndisturbed(conditions)) {
     memory.settlingReference.reset();
@@ -52,7 +55,7 @@ double settle(const ClothModel& model, const SleepConditions& conditions, StepMe
     return 0.0;
   }
   updateIntervals(conditions.errorTolerance, state, memory);
-  if (memory.slowIntervals < tuning.settlingIntervals) {
+  if (!isSettling(memory)) {
     return 0.0;
   }
   const double factor = std::exp(-conditions.parameters.timeStep / tuning.settlingTime);

@@ -5,6 +5,8 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
+#include <vector>
+
 namespace drape::sim::adaptive {
 
 /// Slows cloth in contact that hardly moves any more, so that it comes to rest and can sleep.
@@ -15,8 +17,17 @@ namespace drape::sim::adaptive {
 /// error tolerance, and no vertex moved much further. The mean position error that this causes is below the tolerance,
 /// too. Only cloth that could sleep settles: no body moves, and no attachment acts.
 ///
+/// Sleep ends what settling begins: a few vertices that creep on, with less than a hundredth of a millimetre a second
+/// on average, do not keep settling cloth awake.
+///
 /// Call it before a step. Updates `memory`.
 /// @return the change of the kinetic energy, at most 0 [J]
 double settle(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory, ClothState& state);
+
+/// Whether the cloth settles.
+[[nodiscard]] bool isSettling(const StepMemory& memory);
+
+/// Whether the mean displacement is below a distance [m], and no displacement exceeds a multiple of it.
+[[nodiscard]] bool hardlyMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& positions, double distance);
 
 }  // namespace drape::sim::adaptive

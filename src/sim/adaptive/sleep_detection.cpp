@@ -1,5 +1,6 @@
 #include "sim/adaptive/sleep_detection.hpp"
 
+#include "sim/adaptive/settling.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/contact/contact_stage.hpp"
@@ -35,6 +36,13 @@ bool areNear(const std::vector<Vec3>& positions, const std::vector<Vec3>& before
   return positions.size() == before.size() &&
          std::equal(positions.begin(), positions.end(), before.begin(),
                     [&](const Vec3& a, const Vec3& b) { return (a - b).squaredNorm() <= distance * distance; });
+}
+
+/// Whether the vertices are still near the reference. Of cloth that settles their mean displacement counts.
+bool isNearReference(const std::vector<Vec3>& positions, double distance, const StepMemory& memory) {
+  const std::vector<Vec3>& reference = *memory.sleepReference;
+  return areNear(positions, reference, distance) ||
+         (isSettling(memory) && positions.size() == reference.size() && hardlyMoved(reference, positions, distance));
 }
 
 /// Weight and the air's force on a vertex at rest [N].
@@ -110,7 +118,7 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
   }
   const double distance =
       std::min(tuning.sleepToleranceFraction * conditions.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
-  if (memory.sleepReference == nullptr || !areNear(state.positions, *memory.sleepReference, distance)) {
+  if (memory.sleepReference == nullptr || !isNearReference(state.positions, distance, memory)) {
     memory.sleepReference.reset();
     if (memory.steps % tuning.sleepCheckInterval == 0) {
       memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);

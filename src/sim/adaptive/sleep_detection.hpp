@@ -30,10 +30,10 @@ struct SleepConditions {
 /// Detects cloth at rest and puts it to sleep until something changes.
 ///
 /// Cloth sleeps when for one second no vertex moved further than a tenth of the error tolerance or a thousandth of the
-/// mean edge length. Damping or drag must act, there must be no attachment, and pins or bodies must support every
-/// piece: a piece without pins must lie on a body in the direction of its weight and the air's force. Its velocities
-/// are then set to zero. It sleeps as long as its state and everything that acts on it (settings, pins, masses, bodies)
-/// are bitwise the same.
+/// mean edge length. Of cloth that settles (adaptive::settle) the mean displacement counts. Damping or drag must act,
+/// there must be no attachment, and pins or bodies must support every piece: a piece without pins must lie on a body in
+/// the direction of its weight and the air's force. Its velocities are then set to zero. It sleeps as long as its state
+/// and everything that acts on it (settings, pins, masses, bodies) are bitwise the same.
 class SleepDetection {
  public:
   /// Whether the cloth sleeps, so that the step has nothing to do. Updates `memory`.

@@ -1,5 +1,6 @@
 #include "sim/adaptive/stretch_choice.hpp"
 
+#include "sim/adaptive/settling.hpp"
 #include "sim/adaptive/step_plan.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/fabric/fabric.hpp"
@@ -195,7 +196,7 @@ void StretchChoice::update(const Softer& softer, const ClothModel& model, const 
     falls.push_back(
         raiseOrAllowFall(conditions.options.strainLimit, time, forecasts[i], mayBeImposed, memory.stretch[i]));
   }
-  if (std::ranges::max(falls) == 0) {
+  if (std::ranges::max(falls) == 0 || isSettling(memory)) {
     return;
   }
   const Levels lower = lowered(softer, model, conditions, levelsOf(memory.stretch), falls);

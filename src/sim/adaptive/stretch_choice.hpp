@@ -40,7 +40,7 @@ struct StretchConditions {
 /// the limit, or would soon exceed it at its present rate. It falls after a time in which the strain stayed so small
 /// that softer cloth would meet the limit too. A body can impose strain, for example one that is wider than the
 /// garment. A higher stiffness does not reduce imposed strain, so it does not count. The stiffness of cloth that sleeps
-/// does not change.
+/// does not change, and that of cloth that settles does not fall, which would move it again.
 class StretchChoice {
  public:
   /// The cloth for the next step: `model` itself, or a softer one. Updates the memory.

@@ -140,7 +140,7 @@ struct AutoTuning {
   /// Allowed heating by rounding of cloth that damping or drag bring to rest [W/kg]. Larger: float keeps cloth moving.
   double maxHeatingAtRest = 1e-7;
   /// The same while contacts act [W/kg]. Friction and the inelastic contacts remove energy, too.
-  double maxHeatingInContact = 1e-5;
+  double maxHeatingInContact = 2e-4;
   /// A fabric with a higher mean speed than this is not coming to rest [m/s]. Vibration by rounding in float stays far
   /// below. Larger: double is used more often.
   double slowSpeed = 0.03;
