@@ -154,13 +154,13 @@ StepPlan withSlowForces(StepPlan plan, const ClothModel& model, const LocalRates
   const int longestBending =
       rates.bendingFrequency > 0.0 ? longest(tuning.maxBendingHOmega / rates.bendingFrequency) : longestAir;
   StepPlan best = plan;
-  double least = std::numeric_limits<double>::max();
+  double lowestCost = std::numeric_limits<double>::max();
   for (int air = 1; air <= std::min(longestAir, longestBending); air += 2) {
     for (int bending = air; bending <= longestBending; bending += 2 * air) {
       const int substeps = (plan.substeps + bending - 1) / bending * bending;
       const double cost = substeps * (1.0 + tuning.bendingCost / bending + tuning.airCost / air);
-      if (cost < least) {
-        least = cost;
+      if (cost < lowestCost) {
+        lowestCost = cost;
         best.substeps = substeps;
         best.airInterval = air;
         best.bendingInterval = bending;
