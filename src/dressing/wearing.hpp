@@ -42,8 +42,9 @@ class Wearing {
   [[nodiscard]] std::vector<const Opening*> missed(std::span<const Vec3> positions,
                                                    const std::vector<Vec3>& body) const;
 
-  /// Where parts of the body pass through the triangles of the garment, one entry a part. An arm that meets a sleeve and
-  /// the rest of the garment is at the sleeve. @param positions of the garment [m]  @param pairs that intersect there
+  /// Where parts of the body pass through the triangles of the garment, one entry a part. An arm that meets a sleeve
+  /// and the rest of the garment is at the sleeve. @param positions of the garment [m]  @param pairs that intersect
+  /// there
   [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions,
                                               std::span<const intersection::TrianglePair> pairs) const;
 

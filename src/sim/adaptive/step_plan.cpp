@@ -150,15 +150,18 @@ StepPlan withSlowForces(StepPlan plan, const ClothModel& model, const LocalRates
   const auto longest = [&](double time) {
     return std::clamp(static_cast<int>(std::min(time, parameters.timeStep) / substep), 1, tuning.maxSlowInterval);
   };
-  const int longestAir = parameters.air.acts() ? longest(tuning.maxAirTime) : tuning.maxSlowInterval;
-  const int longestBending =
-      rates.bendingFrequency > 0.0 ? longest(tuning.maxBendingHOmega / rates.bendingFrequency) : longestAir;
+  const bool airActs = parameters.air.acts();
+  const bool bends = rates.bendingFrequency > 0.0;
+  const int longestAir = airActs ? longest(tuning.maxAirTime) : tuning.maxSlowInterval;
+  const int longestBending = bends ? longest(tuning.maxBendingHOmega / rates.bendingFrequency) : longestAir;
+  const double airCost = airActs ? tuning.airCost : 0.0;
+  const double bendingCost = bends ? tuning.bendingCost : 0.0;
   StepPlan best = plan;
   double lowestCost = std::numeric_limits<double>::max();
   for (int air = 1; air <= std::min(longestAir, longestBending); air += 2) {
     for (int bending = air; bending <= longestBending; bending += 2 * air) {
       const int substeps = (plan.substeps + bending - 1) / bending * bending;
-      const double cost = substeps * (1.0 + tuning.bendingCost / bending + tuning.airCost / air);
+      const double cost = substeps * (1.0 + bendingCost / bending + airCost / air);
       if (cost < lowestCost) {
         lowestCost = cost;
         best.substeps = substeps;
