@@ -14,8 +14,8 @@
 namespace drape::sim::adaptive {
 namespace {
 
-constexpr double timeStep = 0.01;   // [s]
-constexpr double tolerance = 1e-4;  // [m]
+constexpr double timeStep = 1.0 / 64.0;  // [s], so that intervals are full numbers of steps
+constexpr double tolerance = 1e-4;       // [m]
 const int stepsUntilSettling = static_cast<int>(tuning.settlingIntervals * tuning.settlingInterval / timeStep) + 1;
 
 /// A sheet that moves uniformly, with a contact.
