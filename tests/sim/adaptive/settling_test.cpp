@@ -23,6 +23,7 @@ class Settling : public ::testing::Test {
  protected:
   Settling() {
     parameters.timeStep = timeStep;
+    parameters.air.drag = 1.0;
     inputs.contacts = &contacts;
   }
 
@@ -94,7 +95,6 @@ TEST_F(Settling, isOnlyForClothThatCouldSleep) {
   EXPECT_EQ(move(slow, 2 * stepsUntilSettling), 0.0) << "a body moves";
   inputs.bodies = nullptr;
   parameters.air.drag = 0.0;
-  parameters.material.damping = 0.0;
   EXPECT_EQ(move(slow, 2 * stepsUntilSettling), 0.0) << "undamped";
 }
 
