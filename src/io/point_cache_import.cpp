@@ -87,9 +87,9 @@ void readFrames(const Header& header, Numbers& numbers, PointCache& cache) {
     std::vector<Eigen::Vector3f>& positions = cache.frames.emplace_back();
     positions.reserve(static_cast<std::size_t>(header.vertices));
     for (std::int32_t vertex = 0; vertex < header.vertices; ++vertex) {
-      const float x = numbers.next<float>();
-      const float y = numbers.next<float>();
-      const float z = numbers.next<float>();
+      const auto x = numbers.next<float>();
+      const auto y = numbers.next<float>();
+      const auto z = numbers.next<float>();
       if (!(std::abs(x) < largestCoordinate && std::abs(y) < largestCoordinate && std::abs(z) < largestCoordinate)) {
         throw messages::InputError(
             fmt::format("in frame {} (counted from 0) the position of vertex {} is ({}, {}, {}), "
