@@ -13,16 +13,24 @@ void beginInterval(const ClothState& state, StepMemory& memory) {
   memory.settlingReferenceTime = state.time;
 }
 
+/// Whether the reference belongs to this motion of the cloth.
+bool hasReference(const ClothState& state, const StepMemory& memory) {
+  return memory.settlingReference != nullptr && memory.settlingReference->size() == state.positions.size() &&
+         state.time >= memory.settlingReferenceTime;
+}
+
 /// Counts the intervals in which the cloth hardly moved. Settling ends as soon as it moves.
 void updateIntervals(double tolerance, const ClothState& state, StepMemory& memory) {
-  const bool isNew = memory.settlingReference == nullptr ||
-                     memory.settlingReference->size() != state.positions.size() ||
-                     state.time < memory.settlingReferenceTime;
-  const bool isOver = !isNew && state.time >= memory.settlingReferenceTime + tuning.settlingInterval;
-  const bool settles = isSettling(memory);
-  const bool isSlow =
-      !isNew && (isOver || settles) && hardlyMoved(*memory.settlingReference, state.positions, tolerance);
-  if (isNew || ((isOver || settles) && !isSlow)) {
+  if (!hasReference(state, memory)) {
+    memory.slowIntervals = 0;
+    beginInterval(state, memory);
+    return;
+  }
+  const bool isOver = state.time >= memory.settlingReferenceTime + tuning.settlingInterval;
+  if (!isOver && !isSettling(memory)) {
+    return;
+  }
+  if (!hardlyMoved(*memory.settlingReference, state.positions, tolerance)) {
     memory.slowIntervals = 0;
     beginInterval(state, memory);
   } else if (isOver) {

@@ -17,8 +17,8 @@ namespace drape::sim::adaptive {
 /// error tolerance, and no vertex moved much further. The mean position error that this causes is below the tolerance,
 /// too. Only cloth that could sleep settles: no body moves, and no attachment acts.
 ///
-/// Sleep ends what settling begins: a few vertices that creep on, with less than a hundredth of a millimetre a second
-/// on average, do not keep settling cloth awake.
+/// Whether settling cloth sleeps depends on its mean displacement (SleepDetection). So a few vertices that creep do not
+/// keep it awake.
 ///
 /// Call it before a step. Updates `memory`.
 /// @return the change of the kinetic energy, at most 0 [J]
