@@ -15,21 +15,7 @@ constexpr double keptMass = 1e-6;
 
 /// The triangles of the leaders. The rest positions of a leader are the centre of mass of what is welded to it.
 ClothMesh meshOfLeaders(const ClothModel& model, std::span<const int> leaders) {
-  const std::size_t count = model.restPositions.size();
-  ClothMesh mesh{.positions = model.restPositions, .triangles = model.triangles};
-  std::vector<Vec3> moments(count, Vec3::Zero());
-  std::vector<double> masses(count, 0.0);
-  std::vector<int> members(count, 0);
-  for (std::size_t v = 0; v < count; ++v) {
-    moments[leaders[v]] += model.vertexMass[v] * model.restPositions[v];
-    masses[leaders[v]] += model.vertexMass[v];
-    ++members[leaders[v]];
-  }
-  for (std::size_t v = 0; v < count; ++v) {
-    if (members[v] > 1) {
-      mesh.positions[v] = moments[v] / masses[v];
-    }
-  }
+  ClothMesh mesh{.positions = meansOfWelded(model, leaders, model.restPositions), .triangles = model.triangles};
   for (Triangle& triangle : mesh.triangles) {
     std::ranges::transform(triangle, triangle.begin(), [&](int v) { return leaders[v]; });
   }
@@ -105,6 +91,24 @@ std::shared_ptr<const ClothModel> withWelds(const ClothModel& model, std::span<c
   return model.fabric ? withPatternFabric(*welded, model.fabric->materials, model.fabric->shape.triangles,
                                           RestCurvature::Flat, PatternMesh::Unrelated)
                       : withSpringsOf(model, leaders, *welded);
+}
+
+std::vector<Vec3> meansOfWelded(const ClothModel& model, std::span<const int> leaders, std::span<const Vec3> values) {
+  std::vector<Vec3> means(values.begin(), values.end());
+  std::vector<Vec3> moments(values.size(), Vec3::Zero());
+  std::vector<double> masses(values.size(), 0.0);
+  std::vector<int> members(values.size(), 0);
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    moments[leaders[v]] += model.vertexMass[v] * values[v];
+    masses[leaders[v]] += model.vertexMass[v];
+    ++members[leaders[v]];
+  }
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (members[v] > 1) {
+      means[v] = moments[v] / masses[v];
+    }
+  }
+  return means;
 }
 
 bool isFollower(const ClothModel& model, int vertex) {

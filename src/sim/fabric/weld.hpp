@@ -18,6 +18,11 @@ namespace drape::sim::fabric {
 /// Throws ClothModelError if triangles of different materials then have a common vertex.
 [[nodiscard]] std::shared_ptr<const ClothModel> withWelds(const ClothModel& model, std::span<const int> leaders);
 
+/// The mean of the values of all vertices that are welded to the same leader, weighted by mass, for each leader; the
+/// own value for every other vertex. @param leaders as in withWelds
+[[nodiscard]] std::vector<Vec3> meansOfWelded(const ClothModel& model, std::span<const int> leaders,
+                                              std::span<const Vec3> values);
+
 /// Whether a vertex is welded to another one, which has its triangles.
 [[nodiscard]] bool isFollower(const ClothModel& model, int vertex);
 

@@ -39,22 +39,12 @@ Seam betweenLeaders(const Seam& seam, std::span<const int> leaders) {
 /// Moves the vertices that are welded together to their centre of mass, or to the pinned one of them. They get their
 /// mean velocity.
 void joinWelded(const ClothModel& pieces, std::span<const int> leaders, ClothState& state) {
-  const std::size_t count = leaders.size();
-  std::vector<double> mass(count, 0.0);
-  std::vector<Vec3> moment(count, Vec3::Zero());
-  std::vector<Vec3> momentum(count, Vec3::Zero());
-  std::vector<int> members(count, 0);
-  for (std::size_t v = 0; v < count; ++v) {
-    const int leader = leaders[v];
-    mass[leader] += pieces.vertexMass[v];
-    moment[leader] += pieces.vertexMass[v] * state.positions[v];
-    momentum[leader] += pieces.vertexMass[v] * state.velocities[v];
-    ++members[leader];
-  }
-  for (std::size_t v = 0; v < count; ++v) {
-    if (members[v] > 1 && !pieces.pinned[v]) {
-      state.positions[v] = moment[v] / mass[v];
-      state.velocities[v] = momentum[v] / mass[v];
+  const std::vector<Vec3> positions = fabric::meansOfWelded(pieces, leaders, state.positions);
+  const std::vector<Vec3> velocities = fabric::meansOfWelded(pieces, leaders, state.velocities);
+  for (std::size_t v = 0; v < leaders.size(); ++v) {
+    if (!pieces.pinned[v]) {
+      state.positions[v] = positions[v];
+      state.velocities[v] = velocities[v];
     }
   }
 }
