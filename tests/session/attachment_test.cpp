@@ -1,7 +1,7 @@
 #include "scene/scene.hpp"
 #include "session/simulation.hpp"
-#include "settings/settings_table.hpp"
 #include "sim/measures/measures.hpp"
+#include "test_scene.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -17,15 +17,6 @@ struct Pull {
   std::vector<std::string> settings;
   double seconds = 0.5;  ///< before the pull
 };
-
-std::shared_ptr<const scene::Scene> sceneOf(const Pull& pull) {
-  const scene::SceneDescription description = scene::openScene(pull.scene);
-  settings::Settings settings = description.settings;
-  for (const std::string& expression : pull.settings) {
-    settings::assignSettingExpression(settings, expression);
-  }
-  return scene::buildScene(description, settings);
-}
 
 void run(Simulation& simulation, double seconds) {
   const double end = simulation.state().time + seconds;
@@ -66,7 +57,7 @@ struct Pulled {
 
 /// Attaches to the lowest triangle and pulls it away.
 Pulled pulled(const Pull& pull, const Vec3& way) {
-  Simulation simulation(sceneOf(pull));
+  Simulation simulation(testing::builtIn(pull.scene, pull.settings));
   run(simulation, pull.seconds);
   Pulled result;
   result.before = sim::maxStretch(simulation.model(), simulation.state());

@@ -8,15 +8,20 @@
 
 namespace drape::session::testing {
 
-/// The built-in grid at a small size, with these settings ("key=value") in place of its own.
-inline std::shared_ptr<const scene::Scene> smallGrid(int resolution = 9,
-                                                     const std::vector<std::string>& settings = {}) {
-  scene::SceneDescription description = scene::openScene("grid");
-  description.settings.grid.resolution = resolution;
+/// A built-in scene with these settings ("key=value") in place of its own.
+inline std::shared_ptr<const scene::Scene> builtIn(const std::string& name,
+                                                   const std::vector<std::string>& settings = {}) {
+  scene::SceneDescription description = scene::openScene(name);
   for (const std::string& expression : settings) {
     settings::assignSettingExpression(description.settings, expression);
   }
   return scene::buildScene(description, description.settings);
+}
+
+/// The built-in grid at a small size.
+inline std::shared_ptr<const scene::Scene> smallGrid(int resolution = 9, std::vector<std::string> settings = {}) {
+  settings.insert(settings.begin(), "grid.resolution=" + std::to_string(resolution));
+  return builtIn("grid", settings);
 }
 
 }  // namespace drape::session::testing

@@ -4,7 +4,6 @@
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -82,59 +81,6 @@ TEST(Timeline, FindsTheStateNearestToATime) {
   EXPECT_EQ(timeline.nearest(99.0).step, 60);
 }
 
-struct Case {
-  std::string scene;
-  std::vector<std::string> settings;
-};
-
-void PrintTo(const Case& test, std::ostream* stream) {
-  *stream << test.scene;
-}
-
-std::shared_ptr<const scene::Scene> built(const Case& test) {
-  scene::SceneDescription description = scene::openScene(test.scene);
-  settings::Settings settings = description.settings;
-  settings::assignSettingExpression(settings, "timeline.memory=500");
-  for (const std::string& expression : test.settings) {
-    settings::assignSettingExpression(settings, expression);
-  }
-  return scene::buildScene(description, settings);
-}
-
-class PlayingAgain : public ::testing::TestWithParam<Case> {};
-
-TEST_P(PlayingAgain, RepeatsTheBitsOfTheFirstTime) {
-  Simulation simulation(built(GetParam()));
-  std::map<std::int64_t, std::uint64_t> hashes;
-  const auto take = [&](std::int64_t until) {
-    while (simulation.stepIndex() < until) {
-      simulation.step();
-      const std::uint64_t hash = sim::stateHash(simulation.state());
-      const auto [first, isNew] = hashes.emplace(simulation.stepIndex(), hash);
-      ASSERT_TRUE(isNew || first->second == hash) << "step " << simulation.stepIndex();
-    }
-  };
-  take(90);
-  const double end = simulation.state().time;
-  for (const double share : {0.5, 0.1, 0.9, 0.0}) {
-    simulation.apply(GoToCommand{share * end});
-    ASSERT_EQ(simulation.message(), "");
-    EXPECT_TRUE(simulation.paused());
-    EXPECT_NEAR(simulation.state().time, share * end, 0.02);
-    if (simulation.stepIndex() > 0) {
-      EXPECT_EQ(sim::stateHash(simulation.state()), hashes.at(simulation.stepIndex()));
-    }
-    take(100);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, PlayingAgain,
-                         ::testing::Values(Case{"grid", {"grid.resolution=9"}},
-                                           Case{"grid", {"grid.resolution=9", "solver=newton", "time_step=0.01"}},
-                                           Case{"fold", {}}, Case{"turning_sphere", {}},
-                                           Case{"skirt", {"material.model=fabric"}}),
-                         [](const auto& instance) { return instance.param.scene + std::to_string(instance.index); });
-
 TEST(SimulationTimeline, ComesBackToTheLastStateAfterALookAtEarlierOnes) {
   Simulation simulation(testing::smallGrid(9, {"timeline.memory=100", "time_step=0.004"}));
   for (int i = 0; i < 50; ++i) {
@@ -183,7 +129,7 @@ TEST(SimulationTimeline, AlsoMovesTheGhostBack) {
 }
 
 TEST(SimulationTimeline, AlsoMovesADraggedBodyBack) {
-  Simulation simulation(built({"sphere", {}}));
+  Simulation simulation(testing::builtIn("sphere", {"timeline.memory=500"}));
   simulation.apply(MoveBodyCommand{0, Vec3(0.0, 0.3, 0.0)});
   for (int i = 0; i < 60; ++i) {
     simulation.step();
