@@ -1,0 +1,273 @@
+// What the user asks of the window, apart from files, exports and dressing.
+#include "app/exported_cloth.hpp"
+#include "app/viewer/free_name.hpp"
+#include "app/viewer/viewer.hpp"
+#include "messages/error.hpp"
+#include "settings/settings_table.hpp"
+#include "ui/scene_loader.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace drape::app {
+
+void Viewer::on(const ui::OpenSceneRequest& request, const session::Snapshot& snapshot) {
+  notOpened_.clear();  // the message about files that were dropped earlier
+  on(ui::OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
+}
+
+void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snapshot) {
+  const ui::DroppedFiles files = ui::joinedWith(snapshot.scene->description, ui::sortDropped(request.files));
+  const ui::DropDecision decision = ui::decide(files);
+  if (decision.open) {
+    on(ui::OpenPartsRequest{*decision.open}, snapshot);
+  }
+  panels_.forgetQuestions();
+  if (decision.ask) {
+    panels_.askWhichIsTheCloth(files);
+  }
+  notOpened_ = decision.notice;
+  if (!notOpened_.empty()) {
+    showNotice(notOpened_);
+  }
+}
+
+void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot) {
+  stats_.error.clear();
+  loader_.open(
+      request.parts,
+      [current = snapshot.settings, own = snapshot.scene->description.settings](settings::Settings& target) {
+        ui::useWindowDefaults(target);
+        ui::carryViewSettings(current, own, target);
+      },
+      fabrics_.fabrics());
+}
+
+void Viewer::on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot) {
+  stats_.error.clear();
+  loader_.rebuild(snapshot.scene->description, request.settings);
+}
+
+void Viewer::on(const ui::SaveFabricRequest& request, const session::Snapshot& snapshot) {
+  const settings::OwnFabric& fabric = request.fabric;
+  try {
+    std::filesystem::path file = fabrics_.file();
+    if (request.place == ui::SaveFabricRequest::Place::Scene) {
+      file = snapshot.scene->description.parts.scene;
+      saveFabric(file, fabric);
+    } else {
+      fabrics_.add(fabric);
+    }
+    simulation_.post(session::SetOwnFabricsCommand{settings::withOwnFabric(snapshot.settings.fabric.own, fabric)});
+    simulation_.post(session::UseFabricCommand{fabric});
+    showNotice("Saved the fabric '" + fabric.name + "' in " + file.string());
+  } catch (const messages::InputError& error) {
+    showError(error.what());
+  }
+}
+
+void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
+  switch (action) {
+    case ui::UiAction::TogglePanels:
+      panels_.showPanels(!panels_.panelsVisible());
+      break;
+    case ui::UiAction::ToggleHelp:
+      panels_.showHelp(!panels_.helpVisible());
+      break;
+    case ui::UiAction::Screenshot:
+      saveScreenshot(snapshot);
+      break;
+    case ui::UiAction::SaveCloth:
+      on(ui::SaveClothRequest{}, snapshot);
+      break;
+    case ui::UiAction::SaveScene:
+      on(ui::SaveSceneRequest{}, snapshot);
+      break;
+    case ui::UiAction::OpenFile:
+      openFileDialog();
+      break;
+    case ui::UiAction::Search:
+      panels_.toggleSearch(preferences_.recentFiles);
+      break;
+    case ui::UiAction::Undo:
+    case ui::UiAction::Redo:
+      undoOrRedo(action, snapshot);
+      break;
+    case ui::UiAction::NextTheme:
+      on(ui::ThemeRequest{panels_.theme() == ui::Theme::Dark ? ui::Theme::Light : ui::Theme::Dark}, snapshot);
+      break;
+    case ui::UiAction::ShowExport:
+      panels_.showExport();
+      break;
+    case ui::UiAction::CancelExport:
+      if (export_) {
+        export_->cancel();
+      }
+      break;
+    case ui::UiAction::Dress:
+      dress(snapshot);
+      break;
+    case ui::UiAction::CancelDressing:
+      cancelDressing();
+      break;
+    case ui::UiAction::SaveProbes:
+      saveProbes(snapshot);
+      break;
+    case ui::UiAction::RecallView1:
+    case ui::UiAction::RecallView2:
+    case ui::UiAction::RecallView3:
+    case ui::UiAction::RecallView4:
+      recallView(static_cast<std::size_t>(action) - static_cast<std::size_t>(ui::UiAction::RecallView1), snapshot);
+      break;
+    case ui::UiAction::KeepView1:
+    case ui::UiAction::KeepView2:
+    case ui::UiAction::KeepView3:
+    case ui::UiAction::KeepView4:
+      keepView(static_cast<std::size_t>(action) - static_cast<std::size_t>(ui::UiAction::KeepView1), snapshot);
+      break;
+    case ui::UiAction::SelectRectangle:
+    case ui::UiAction::SelectBorder:
+    case ui::UiAction::PinSelected:
+    case ui::UiAction::ReleaseSelected:
+    case ui::UiAction::TogglePinsSelected:
+    case ui::UiAction::EndSelection:
+      selectOrPin(action, snapshot);
+      break;
+    case ui::UiAction::ToggleProjection:
+    case ui::UiAction::ToggleTurntable:
+    case ui::UiAction::FrameCloth:
+    case ui::UiAction::ViewFront:
+    case ui::UiAction::ViewRight:
+    case ui::UiAction::ViewTop:
+      controller_.moveCamera(action, snapshot);
+      break;
+    case ui::UiAction::ResetAll:
+      resetAll(snapshot);
+      break;
+    case ui::UiAction::Quit:
+      stopLoadingOrQuit(snapshot);
+      break;
+    case ui::UiAction::CloseWindow:
+      quitOrAsk(snapshot);
+      break;
+    case ui::UiAction::QuitAndLoseChanges:
+      glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
+      break;
+  }
+}
+
+void Viewer::selectOrPin(ui::UiAction action, const session::Snapshot& snapshot) {
+  ui::UiOutput output;
+  controller_.select(action, snapshot, output);
+  undo_.noteCommands(output.commands);
+  execute(output, snapshot);
+}
+
+/// Loads the scene as it is when its mesh settings are the author's; otherwise builds it again.
+void Viewer::resetAll(const session::Snapshot& snapshot) {
+  stats_.error.clear();
+  const scene::Scene& scene = *snapshot.scene;
+  settings::Settings own = scene.description.settings;
+  ui::useWindowDefaults(own);
+  if (settings::differingSettings(scene.settings, own).empty()) {
+    simulation_.post(session::LoadSceneCommand{snapshot.scene});
+    keepOwnFabrics(snapshot);
+    if (snapshot.placedStart) {
+      simulation_.post(session::PlaceClothCommand{*snapshot.placedStart, true});
+    }
+  } else {
+    loader_.rebuild(scene.description, own, ui::SceneLoader::Kind::Restored);
+  }
+}
+
+/// The scene as it was built does not have the fabrics that the user saved since.
+void Viewer::keepOwnFabrics(const session::Snapshot& snapshot) {
+  if (snapshot.settings.fabric.own != snapshot.scene->settings.fabric.own) {
+    simulation_.post(session::SetOwnFabricsCommand{snapshot.settings.fabric.own});
+  }
+}
+
+void Viewer::stopLoadingOrQuit(const session::Snapshot& snapshot) {
+  if (dressing_) {
+    cancelDressing();
+  } else if (loader_.cancel()) {
+    showNotice("Stopped. The scene did not change");
+  } else {
+    quitOrAsk(snapshot);
+  }
+}
+
+void Viewer::quitOrAsk(const session::Snapshot& snapshot) {
+  if (hasUnsavedChanges(snapshot) || export_) {
+    panels_.askToQuit();
+  } else {
+    glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
+  }
+}
+
+void Viewer::saveScreenshot(const session::Snapshot& snapshot) {
+  try {
+    const std::filesystem::path file =
+        freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".png");
+    // Pins are a tool for the user, not part of a picture.
+    session::Snapshot bare = snapshot;
+    bare.settings.view.pins = false;
+    const render::Image shown = renderer_.read();
+    renderer_.draw(bare, controller_.camera(), shown.width, shown.height, {.field = stats_.field});
+    if (stats_.field != nullptr && stats_.field->field != nullptr) {
+      const ui::UiRect view = panels_.view();
+      renderer_.bindTarget();
+      panels_.drawLegend(bare, stats_, static_cast<int>(view.width), static_cast<int>(view.height));
+    }
+    render::writePng(renderer_.read(), file);
+    showNotice("Saved " + file.string());
+  } catch (const std::exception& error) {
+    showError(error.what());
+  }
+}
+
+void Viewer::on(const ui::SaveClothRequest& request, const session::Snapshot& snapshot) {
+  try {
+    const std::filesystem::path file =
+        request.path.empty() ? freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".obj")
+                             : std::filesystem::absolute(request.path);
+    exportFrame(*snapshot.scene, *snapshot.model, snapshot.positions, file);
+    showNotice("Saved " + file.string());
+  } catch (const std::exception& error) {
+    showError(error.what());
+  }
+}
+
+void Viewer::on(const ui::PickVertexRequest& request, const session::Snapshot& /*snapshot*/) {
+  if (!panels_.pick(request.vertex)) {
+    showNotice("Four vertices are marked. Right click one of them to remove its mark.");
+  }
+}
+
+void Viewer::saveProbes(const session::Snapshot& snapshot) {
+  try {
+    const std::filesystem::path file =
+        freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".csv");
+    if (!replaceFile(file, panels_.picked().csv())) {
+      throw messages::InputError("could not write " + file.string() + ": " + std::strerror(errno));
+    }
+    showNotice("Saved " + file.string());
+  } catch (const std::exception& error) {
+    showError(error.what());
+  }
+}
+
+/// Asks the simulation for velocities and contact loads while vertices are picked.
+void Viewer::followPicks() {
+  const bool picked = !panels_.picked().vertices().empty();
+  if (picked != observes_) {
+    observes_ = picked;
+    simulation_.post(session::ObserveCommand{picked});
+  }
+}
+
+}  // namespace drape::app
