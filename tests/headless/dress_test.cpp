@@ -130,9 +130,26 @@ TEST(Dress, saysWhatIsWrongWithBadInput) {
   EXPECT_NE(failure(shirt + " mannequin --output " + (folder / "no" / "out.obj").string()).find("out.obj"),
             std::string::npos);
   EXPECT_NE(failure(shirt + " mannequin --output " + box).find("exists"), std::string::npos);
+  EXPECT_NE(failure(shirt + " mannequin --scene " + (folder / "no" / "out.toml").string() + to).find("out.toml"),
+            std::string::npos);
+  const Outcome unknown = headless("dress " + shirt + " mannequin --output " + (folder / "out.xyz").string());
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.errors.find("out.xyz"), std::string::npos) << unknown.errors;
   const std::string raised = failure(shirt + " mannequin --place file --move 0 0.2 0" + to);
   EXPECT_NE(raised.find("the right arm passes through the sleeve's wall"), std::string::npos) << raised;
   EXPECT_FALSE(std::filesystem::exists(folder / "out.obj"));
+}
+
+TEST(PiercedStart, isNamedBeforeARun) {
+  const auto folder = testFolder();
+  std::ofstream(folder / "pierced.toml") << "[cloth]\nmesh = \"" << assets << "tshirt.obj\"\nposition = [0, 0.2, 0]\n"
+                                         << "[[bodies]]\nshape = \"mesh\"\nmesh = \"builtin:mannequin.obj\"\n";
+  const std::string scene = (folder / "pierced.toml").string();
+  const Outcome named = headless("run " + scene + " --seconds 0.01");
+  EXPECT_NE(named.errors.find("the right arm passes through the sleeve's wall"), std::string::npos) << named.errors;
+  EXPECT_NE(named.errors.find("drape-headless dress"), std::string::npos) << named.errors;
+  EXPECT_EQ(headless("run " + scene + " --seconds 0.01 --set bodies=off").errors.find("passes"), std::string::npos);
+  EXPECT_EQ(headless("run mannequin --seconds 0.01").errors, "");
 }
 
 TEST(Dress, refusesOptionsOutOfRange) {

@@ -2,10 +2,12 @@
 
 #include "app/dressing/dressing_text.hpp"
 #include "app/exported_cloth.hpp"
+#include "app/output_file.hpp"
 #include "app/progress_line.hpp"
 #include "app/scene_saving.hpp"
 #include "dressing/dressing.hpp"
 #include "dressing/piercing.hpp"
+#include "io/animation/animation.hpp"
 #include "messages/error.hpp"
 #include "scene/garment_on_body.hpp"
 #include "scene/unit_guess.hpp"
@@ -58,10 +60,12 @@ void printNotes(const Dressed& result) {
   }
 }
 
-void requireNewFile(const std::filesystem::path& file) {
-  if (!file.empty() && std::filesystem::exists(file)) {
+/// Before the work that takes seconds. @param what it will contain, for messages
+void requireNewFile(const std::filesystem::path& file, const char* what) {
+  if (std::filesystem::exists(file)) {
     throw messages::InputError(file.string() + " exists; choose another name");
   }
+  const OutputFile canBeWritten(file.string(), what);
 }
 
 }  // namespace
@@ -75,8 +79,11 @@ void DressArguments::addTo(CLI::App& app) {
 }
 
 void DressArguments::run() const {
-  requireNewFile(output);
-  requireNewFile(sceneOutput.empty() ? std::filesystem::path() : sceneFile(sceneOutput));
+  static_cast<void>(io::animation::formatOf(output));  // throws if the extension is none of a format
+  requireNewFile(output, "the garment");
+  if (!sceneOutput.empty()) {
+    requireNewFile(sceneFile(sceneOutput), "the scene");
+  }
   const auto scene = choices.open(settings);
   const sim::ClothMesh body = dressing::bodiesAtStart(*scene).front().mesh;
   requireDressable({choices.garment, choices.body}, {scene->start.positions, scene->model->triangles}, body);

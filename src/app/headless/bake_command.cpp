@@ -7,6 +7,7 @@
 #include "app/headless/checkpoint_file.hpp"
 #include "app/headless/commands.hpp"
 #include "app/headless/intact.hpp"
+#include "app/headless/pierced_start.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/headless/view_arguments.hpp"
 #include "app/progress_line.hpp"
@@ -169,7 +170,9 @@ void bake(BakeArguments arguments) {
   }
   StopSignal stop;
   arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
-  session::Simulation simulation(arguments.scene.load());
+  const auto scene = arguments.scene.load();
+  printPiercedStart(scene);
+  session::Simulation simulation(scene);
   printSolverWarnings(simulation.settings(), simulation.model());
   Bake work(arguments, simulation);
   work.simulate(stop);

@@ -4,6 +4,7 @@
 #include "app/export/picture_files.hpp"
 #include "app/headless/commands.hpp"
 #include "app/headless/intact.hpp"
+#include "app/headless/pierced_start.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/headless/view_arguments.hpp"
 #include "app/progress_line.hpp"
@@ -64,7 +65,9 @@ void capture(CaptureArguments arguments) {
   if (arguments.rate) {
     arguments.scene.adjust = fitTimeStep(*arguments.rate);
   }
-  session::Simulation simulation(arguments.scene.load());
+  const auto scene = arguments.scene.load();
+  printPiercedStart(scene);
+  session::Simulation simulation(scene);
   printSolverWarnings(simulation.settings(), simulation.model());
   const double timeStep = simulation.settings().step.timeStep;
   const int every = stepsBetween(arguments, timeStep);

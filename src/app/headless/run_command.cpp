@@ -6,6 +6,7 @@
 #include "app/headless/commands.hpp"
 #include "app/headless/intact.hpp"
 #include "app/headless/intersection_watch.hpp"
+#include "app/headless/pierced_start.hpp"
 #include "app/headless/position_writer.hpp"
 #include "app/headless/probe_writer.hpp"
 #include "app/headless/run_stats.hpp"
@@ -257,7 +258,9 @@ void run(RunArguments arguments) {
   if (arguments.exports.hasFrames()) {
     arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
   }
-  session::Simulation simulation(report::withJitteredStart(arguments.scene.load(), arguments.jitter));
+  const auto scene = report::withJitteredStart(arguments.scene.load(), arguments.jitter);
+  printPiercedStart(scene);
+  session::Simulation simulation(scene);
   printSolverWarnings(simulation.settings(), simulation.model());
   if (!arguments.resume.empty()) {
     resumeFrom(arguments.resume, simulation);
