@@ -119,13 +119,13 @@ double Camera::halfHeight() const {
 }
 
 Eigen::Vector4f Camera::eye() const {
-  const Vec3 at = isOrthographic_ ? scene::viewOffset(pose_) : pose_.position;
+  const Vec3 at = pose_.isOrthographic ? scene::viewOffset(pose_) : pose_.position;
   return {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z()),
-          isOrthographic_ ? 0.0F : 1.0F};
+          pose_.isOrthographic ? 0.0F : 1.0F};
 }
 
 Eigen::Matrix4f Camera::projectionMatrix(double aspect) const {
-  if (isOrthographic_) {
+  if (pose_.isOrthographic) {
     return orthographicMatrix(halfHeight(), aspect, depthOf(pose_));
   }
   // The clipping planes scale with the distance: near views are not cut, and far views keep their depth precision.
@@ -147,7 +147,7 @@ Ray Camera::rayThrough(double x, double y, int width, int height) const {
   const double aspect = static_cast<double>(width) / height;
   const double right = (2.0 * x / width - 1.0) * slope * aspect;
   const double up = (1.0 - 2.0 * y / height) * slope;
-  if (isOrthographic_) {
+  if (pose_.isOrthographic) {
     const double distance = scene::viewOffset(pose_).norm();
     return {pose_.position + distance * (right * basis.right + up * basis.up) + depthOf(pose_) * basis.back,
             -basis.back};
@@ -159,7 +159,7 @@ Vec2 Camera::project(const Vec3& point, int width, int height) const {
   const scene::CameraBasis basis = scene::basisOf(pose_);
   const Vec3 offset = point - pose_.position;
   const double depth = std::max(-offset.dot(basis.back), 1e-9);
-  const double scale = 0.5 * height / (isOrthographic_ ? halfHeight() : scene::tanHalfAngle(pose_) * depth);
+  const double scale = 0.5 * height / (pose_.isOrthographic ? halfHeight() : scene::tanHalfAngle(pose_) * depth);
   return {0.5 * width + scale * offset.dot(basis.right), 0.5 * height - scale * offset.dot(basis.up)};
 }
 

@@ -37,8 +37,8 @@ class Camera {
   [[nodiscard]] const scene::CameraPose& pose() const { return pose_; }
   void moveTo(const scene::CameraPose& pose) { pose_ = pose; }
 
-  [[nodiscard]] bool isOrthographic() const { return isOrthographic_; }
-  void useOrthographic(bool orthographic) { isOrthographic_ = orthographic; }
+  [[nodiscard]] bool isOrthographic() const { return pose_.isOrthographic; }
+  void useOrthographic(bool orthographic) { pose_.isOrthographic = orthographic; }
 
   /// The position of the eye in homogeneous coordinates: (x, y, z, 1) [m] in perspective, (x, y, z, 0) as the vector to
   /// an eye at infinity.
@@ -78,7 +78,6 @@ class Camera {
   [[nodiscard]] double halfHeight() const;
 
   scene::CameraPose pose_;
-  bool isOrthographic_ = false;
 };
 
 }  // namespace drape::render

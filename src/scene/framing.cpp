@@ -25,6 +25,11 @@ double tanHalfAngle(const CameraPose& pose) {
   return std::tan(0.5 * pose.viewAngle * std::numbers::pi / 180.0);
 }
 
+bool isFarEnough(const CameraPose& pose) {
+  constexpr double rounding = 1e-9;
+  return (pose.position - pose.focalPoint).norm() >= (1.0 - rounding) * minViewDistance;
+}
+
 CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect) {
   constexpr double margin = 1.12;
   constexpr double smallestSize = 0.02;  // [m] size of the view of a single point

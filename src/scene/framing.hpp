@@ -22,6 +22,9 @@ struct CameraBasis {
 inline constexpr double minViewDistance = 0.01;
 inline constexpr double maxViewDistance = 400.0;
 
+/// Whether the camera is at least at that minimum distance, apart from rounding.
+[[nodiscard]] bool isFarEnough(const CameraPose& pose);
+
 /// The pose with the direction of `pose` in which the box fills the view with a small margin.
 /// @param aspect width over height of the picture
 [[nodiscard]] CameraPose framed(const CameraPose& pose, const Vec3& min, const Vec3& max, double aspect);

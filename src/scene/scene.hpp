@@ -26,6 +26,9 @@ struct CameraPose {
   Vec3 position{0.0, 1.2, 3.0};    ///< [m]
   Vec3 focalPoint{0.0, 0.8, 0.0};  ///< [m]
   double viewAngle = 35.0;         ///< vertical [degrees]
+  bool isOrthographic = false;     ///< without perspective; the focal plane has the same size as with it
+
+  bool operator==(const CameraPose&) const = default;
 };
 
 /// A rectangular sheet; its size and resolution are settings.

@@ -157,12 +157,13 @@ StandDescription readStand(const TomlReader& reader, const std::filesystem::path
 }
 
 CameraPose readCamera(const TomlReader& reader) {
-  reader.allowOnly({"position", "focal_point", "view_angle"});
+  reader.allowOnly({"position", "focal_point", "view_angle", "orthographic"});
   CameraPose pose;
   pose.position = reader.vector("position").value_or(pose.position);
   pose.focalPoint = reader.vector("focal_point").value_or(pose.focalPoint);
   pose.viewAngle = reader.number("view_angle", 1.0, 150.0).value_or(pose.viewAngle);
-  if ((pose.position - pose.focalPoint).norm() < minViewDistance) {
+  pose.isOrthographic = reader.flag("orthographic").value_or(pose.isOrthographic);
+  if (!isFarEnough(pose)) {
     reader.fail(fmt::format("camera.position and camera.focal_point must be at least {:.2f} m apart", minViewDistance));
   }
   return pose;

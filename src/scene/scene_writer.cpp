@@ -164,6 +164,9 @@ void writeCamera(const std::optional<CameraPose>& camera, TomlText& toml) {
     toml.value("position", vectorText(camera->position));
     toml.value("focal_point", vectorText(camera->focalPoint));
     toml.number("view_angle", camera->viewAngle);
+    if (camera->isOrthographic) {
+      toml.flag("orthographic", true);
+    }
   }
 }
 
@@ -240,7 +243,7 @@ std::string documentText(Writing& writing) {
   for (const SeamDescription& seam : description.seams) {
     writeSeam(seam, writing.toml);
   }
-  writeCamera(description.camera, writing.toml);
+  writeCamera(writing.now.camera ? writing.now.camera : description.camera, writing.toml);
   writeBodies(writing);
   writeStandAndGround(writing);
   for (const settings::OwnFabric& fabric : usedFabrics(writing.now.settings, writing.scene.cloths)) {

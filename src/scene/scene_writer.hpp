@@ -19,8 +19,9 @@ struct BodyNow {
 /// What a user changed about a running scene.
 struct SceneNow {
   settings::Settings settings;
-  std::vector<bool> pinned;     ///< one per vertex of the model
-  std::vector<BodyNow> bodies;  ///< one per body of the scene, or none: they are as in the scene
+  std::vector<bool> pinned;                         ///< one per vertex of the model
+  std::vector<BodyNow> bodies;                      ///< one per body of the scene, or none: they are as in the scene
+  std::optional<CameraPose> camera = std::nullopt;  ///< the present view; empty: as in the scene
 };
 
 /// A scene as it was built, without changes.

@@ -73,9 +73,19 @@ void InteractionController::handle(const InputEvent& event, const session::Snaps
 }
 
 void InteractionController::lookAtScene(const scene::Scene& scene) {
-  constexpr double authorsAspect = 4.0 / 3.0;
   camera_.moveTo(scene.camera);
-  camera_.zoom(std::max(1.0, authorsAspect * view_.height / view_.width));
+  camera_.zoom(zoomOfScenes());
+}
+
+scene::CameraPose InteractionController::viewForScene() const {
+  render::Camera camera = camera_;
+  camera.zoom(1.0 / zoomOfScenes());
+  return camera.pose();
+}
+
+double InteractionController::zoomOfScenes() const {
+  constexpr double authorsAspect = 4.0 / 3.0;
+  return std::max(1.0, authorsAspect * view_.height / view_.width);
 }
 
 void InteractionController::frameCloth(const session::Snapshot& snapshot) {

@@ -54,6 +54,8 @@ class InteractionController {
 
   /// Takes the author's view of a scene, from farther away when the picture is too narrow.
   void lookAtScene(const scene::Scene& scene);
+  /// The view for a scene file, from which lookAtScene makes this one.
+  [[nodiscard]] scene::CameraPose viewForScene() const;
   /// Moves the camera so that the cloth at its current position fills the view.
   void frameCloth(const session::Snapshot& snapshot);
   /// Looks from a side, never from below the ground.
@@ -108,6 +110,8 @@ class InteractionController {
   bool attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void endGesture(UiOutput& output);
   void moveCamera(const session::Snapshot& snapshot, const std::function<void(render::Camera&)>& move);
+  /// By which lookAtScene moves away because the picture is narrow; at least 1.
+  [[nodiscard]] double zoomOfScenes() const;
   /// The ray through a position in the window.
   [[nodiscard]] render::Ray rayThrough(const Vec2& position) const;
   /// `point` moved parallel to the view to a position in the window.

@@ -156,6 +156,25 @@ TEST(SavedScene, OpensToTheSameSettingsAndPins) {
   EXPECT_EQ(opened["pins"], changed["pins"]);
 }
 
+TEST(SavedScene, OpensToTheSameView) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.key("3");
+  viewer.key("5");
+  const Json kept =
+      viewer.waitUntil("the view", [](const Json& s) { return s["camera"]["orthographic"].get<bool>(); })["camera"];
+  viewer.key("ctrl+s");
+  viewer.waitUntil("the message", [](const Json& s) { return says(s, "grid-001.toml"); });
+  viewer.click(viewer.find("scene.path"));
+  viewer.type("grid-001.toml");
+  const Json opened =
+      viewer.waitUntil("the saved scene", [](const Json& s) { return s["scene"] == "grid-001"; })["camera"];
+  EXPECT_TRUE(opened["orthographic"].get<bool>());
+  for (const std::size_t axis : {0, 1, 2}) {
+    EXPECT_NEAR(opened["position"][axis].get<double>(), kept["position"][axis].get<double>(), 1e-6);
+    EXPECT_NEAR(opened["focal_point"][axis].get<double>(), kept["focal_point"][axis].get<double>(), 1e-6);
+  }
+}
+
 TEST(SavedScene, ReplacesNoFileWithoutAsking) {
   ViewerDriver viewer({"grid", "--paused"});
   writeFile(viewer.folder() / "mine.toml", "precious");

@@ -45,7 +45,7 @@ void expectSame(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.model->vertexMass, b.model->vertexMass);
   EXPECT_EQ(a.model->pinned, b.model->pinned);
   EXPECT_EQ(a.groundHeight, b.groundHeight);
-  EXPECT_EQ(a.camera.position, b.camera.position);
+  EXPECT_EQ(a.camera, b.camera);
   EXPECT_TRUE(settings::differingSettings(a.settings, b.settings).empty());
   ASSERT_EQ(a.bodies->size(), b.bodies->size());
   for (std::size_t i = 0; i < a.bodies->size(); ++i) {
@@ -96,6 +96,7 @@ pins = { top = 0.07, boxes = [{ min = [-1, 1.4, -1], max = [1, 2, 1] }] }
 position = [1.5, 1.4, 2.6]
 focal_point = [0, 0.83, 0]
 view_angle = 41.7
+orthographic = true
 [stand]
 mesh = "builtin:stand.obj"
 solid = false

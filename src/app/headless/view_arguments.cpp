@@ -16,6 +16,7 @@ scene::CameraPose poseFor(const ViewArguments& arguments, scene::CameraPose pose
   };
   take(arguments.cameraPosition, pose.position);
   take(arguments.focalPoint, pose.focalPoint);
+  pose.isOrthographic = pose.isOrthographic || arguments.orthographic;
   if (!((pose.position - pose.focalPoint).norm() > 0.0)) {
     throw messages::UsageError("--camera-position and --camera-focal-point must be two different points");
   }
@@ -25,8 +26,7 @@ scene::CameraPose poseFor(const ViewArguments& arguments, scene::CameraPose pose
 }  // namespace
 
 std::unique_ptr<PictureMaker> ViewArguments::makerFor(const session::Simulation& simulation) const {
-  render::Camera camera(poseFor(*this, simulation.scene().camera));
-  camera.useOrthographic(orthographic);
+  const render::Camera camera(poseFor(*this, simulation.scene().camera));
   return std::make_unique<PictureMaker>(resolution[0], resolution[1], ui, simulation.settings().view.fontScale, camera);
 }
 

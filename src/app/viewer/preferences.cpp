@@ -56,27 +56,26 @@ Vec3 pointFrom(const Json& json) {
   return point;
 }
 
-Json viewJson(const std::optional<KeptView>& view) {
+Json viewJson(const std::optional<scene::CameraPose>& view) {
   if (!view) {
     return nullptr;
   }
-  return {{"position", pointJson(view->pose.position)},
-          {"focal_point", pointJson(view->pose.focalPoint)},
-          {"view_angle", view->pose.viewAngle},
+  return {{"position", pointJson(view->position)},
+          {"focal_point", pointJson(view->focalPoint)},
+          {"view_angle", view->viewAngle},
           {"orthographic", view->isOrthographic}};
 }
 
-std::optional<KeptView> viewFrom(const Json& json) {
+std::optional<scene::CameraPose> viewFrom(const Json& json) {
   if (json.is_null()) {
     return std::nullopt;
   }
-  KeptView view;
-  view.pose.position = pointFrom(json.at("position"));
-  view.pose.focalPoint = pointFrom(json.at("focal_point"));
-  view.pose.viewAngle = json.at("view_angle").get<double>();
+  scene::CameraPose view;
+  view.position = pointFrom(json.at("position"));
+  view.focalPoint = pointFrom(json.at("focal_point"));
+  view.viewAngle = json.at("view_angle").get<double>();
   view.isOrthographic = json.value("orthographic", false);
-  const double distance = (view.pose.position - view.pose.focalPoint).norm();
-  if (distance < scene::minViewDistance || !(view.pose.viewAngle >= 1.0 && view.pose.viewAngle <= 150.0)) {
+  if (!scene::isFarEnough(view) || !(view.viewAngle >= 1.0 && view.viewAngle <= 150.0)) {
     throw messages::InputError("a camera is out of range");
   }
   return view;
@@ -86,7 +85,7 @@ Json viewsJson(const std::vector<SceneViews>& scenes) {
   Json json = Json::array();
   for (const SceneViews& each : scenes) {
     Json views = Json::array();
-    for (const std::optional<KeptView>& view : each.views) {
+    for (const std::optional<scene::CameraPose>& view : each.views) {
       views.push_back(viewJson(view));
     }
     json.push_back({{"scene", each.scene}, {"views", views}});
@@ -115,7 +114,7 @@ const SceneViews* Preferences::viewsOf(const std::string& scene) const {
   return found == views.end() ? nullptr : &*found;
 }
 
-void Preferences::keepView(const std::string& scene, std::size_t place, const KeptView& view) {
+void Preferences::keepView(const std::string& scene, std::size_t place, const scene::CameraPose& view) {
   const SceneViews* before = viewsOf(scene);
   SceneViews changed = before == nullptr ? SceneViews{scene, {}} : *before;
   changed.views[place] = view;

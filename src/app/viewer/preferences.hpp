@@ -24,21 +24,10 @@ struct WindowPlace {
   bool operator==(const WindowPlace&) const = default;
 };
 
-/// A view of a scene that the user kept.
-struct KeptView {
-  scene::CameraPose pose;
-  bool isOrthographic = false;
-
-  bool operator==(const KeptView& other) const {
-    return pose.position == other.pose.position && pose.focalPoint == other.pose.focalPoint &&
-           pose.viewAngle == other.pose.viewAngle && isOrthographic == other.isOrthographic;
-  }
-};
-
 /// The kept views of a scene.
 struct SceneViews {
   std::string scene;  ///< its name, or the absolute path of its file
-  std::array<std::optional<KeptView>, ui::keptViewCount> views;
+  std::array<std::optional<scene::CameraPose>, ui::keptViewCount> views;
 
   bool operator==(const SceneViews&) const = default;
 };
@@ -58,7 +47,7 @@ struct Preferences {
   /// The views of a scene; null if there are none.
   [[nodiscard]] const SceneViews* viewsOf(const std::string& scene) const;
   /// Keeps a view in one of the places of a scene.
-  void keepView(const std::string& scene, std::size_t place, const KeptView& view);
+  void keepView(const std::string& scene, std::size_t place, const scene::CameraPose& view);
 
   /// Puts a file at the front of recentFiles.
   void noteFile(const std::filesystem::path& file);

@@ -94,7 +94,9 @@ void Viewer::on(const ui::SaveSceneRequest& request, const session::Snapshot& sn
     }
     const session::UserState& state = undo_.present();
     std::string notice = "Saved " + file.string();
-    for (const std::string& note : saveScene(*snapshot.scene, sceneNow(state, snapshot), file, Existing::Replaced)) {
+    scene::SceneNow now = sceneNow(state, snapshot);
+    now.camera = controller_.viewForScene();
+    for (const std::string& note : saveScene(*snapshot.scene, now, file, Existing::Replaced)) {
       notice += ". " + note;
     }
     if (snapshot.placedStart) {
@@ -150,8 +152,7 @@ std::string Viewer::sceneKey(const session::Snapshot& snapshot) const {
 }
 
 void Viewer::keepView(std::size_t place, const session::Snapshot& snapshot) {
-  const render::Camera& camera = controller_.camera();
-  preferences_.keepView(sceneKey(snapshot), place, {camera.pose(), camera.isOrthographic()});
+  preferences_.keepView(sceneKey(snapshot), place, controller_.camera().pose());
   showNotice("This is now view " + std::to_string(place + 1) + " of the scene");
 }
 
@@ -162,9 +163,7 @@ void Viewer::recallView(std::size_t place, const session::Snapshot& snapshot) {
                " keeps the present one");
     return;
   }
-  render::Camera camera(views->views[place]->pose);
-  camera.useOrthographic(views->views[place]->isOrthographic);
-  controller_.recall(camera);
+  controller_.recall(render::Camera(*views->views[place]));
 }
 
 bool Viewer::hasUnsavedChanges(const session::Snapshot& snapshot) const {
