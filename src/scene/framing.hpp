@@ -22,7 +22,7 @@ struct CameraBasis {
 inline constexpr double minViewDistance = 0.01;
 inline constexpr double maxViewDistance = 400.0;
 
-/// Whether the camera is at least at that minimum distance, apart from rounding.
+/// Whether the camera is at least minViewDistance from its focal point, apart from rounding.
 [[nodiscard]] bool isFarEnough(const CameraPose& pose);
 
 /// The pose with the direction of `pose` in which the box fills the view with a small margin.

@@ -54,7 +54,7 @@ class InteractionController {
 
   /// Takes the author's view of a scene, from farther away when the picture is too narrow.
   void lookAtScene(const scene::Scene& scene);
-  /// The view for a scene file, from which lookAtScene makes this one.
+  /// The present view for a scene file: lookAtScene restores it in a picture of the same shape.
   [[nodiscard]] scene::CameraPose viewForScene() const;
   /// Moves the camera so that the cloth at its current position fills the view.
   void frameCloth(const session::Snapshot& snapshot);
@@ -110,7 +110,7 @@ class InteractionController {
   bool attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void endGesture(UiOutput& output);
   void moveCamera(const session::Snapshot& snapshot, const std::function<void(render::Camera&)>& move);
-  /// By which lookAtScene moves away because the picture is narrow; at least 1.
+  /// The factor of the distance by which lookAtScene moves away when the picture is narrow; at least 1.
   [[nodiscard]] double zoomOfScenes() const;
   /// The ray through a position in the window.
   [[nodiscard]] render::Ray rayThrough(const Vec2& position) const;

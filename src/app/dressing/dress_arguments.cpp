@@ -60,7 +60,7 @@ void printNotes(const Dressed& result) {
   }
 }
 
-/// Before the work that takes seconds. @param what it will contain, for messages
+/// Throws InputError if the file exists or cannot be written. @param what it will contain, for messages
 void requireNewFile(const std::filesystem::path& file, const char* what) {
   if (std::filesystem::exists(file)) {
     throw messages::InputError(file.string() + " exists; choose another name");
@@ -79,7 +79,7 @@ void DressArguments::addTo(CLI::App& app) {
 }
 
 void DressArguments::run() const {
-  static_cast<void>(io::animation::formatOf(output));  // throws if the extension is none of a format
+  static_cast<void>(io::animation::formatOf(output));  // throws for an unknown extension
   requireNewFile(output, "the garment");
   if (!sceneOutput.empty()) {
     requireNewFile(sceneFile(sceneOutput), "the scene");

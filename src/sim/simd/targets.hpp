@@ -4,7 +4,7 @@
 // This excludes Arm's scalable vectors; NEON, which every 64-bit Arm processor has, is used instead.
 #define DRAPE_SCALABLE_TARGETS (HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
 
-// With a sanitizer each instruction set takes minutes to compile: the narrowest and AVX2 stand for all.
+// Each instruction set takes minutes to compile with a sanitizer. Sanitizer builds contain only the narrowest and AVX2.
 #ifdef DRAPE_SANITIZED
 #define HWY_DISABLED_TARGETS (DRAPE_SCALABLE_TARGETS | HWY_SSSE3 | HWY_SSE4 | HWY_AVX3 | HWY_AVX3_DL)
 #else
