@@ -259,7 +259,9 @@ void run(RunArguments arguments) {
     arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
   }
   const auto scene = report::withJitteredStart(arguments.scene.load(), arguments.jitter);
-  printPiercedStart(scene);
+  if (arguments.resume.empty()) {
+    printPiercedStart(scene);
+  }
   session::Simulation simulation(scene);
   printSolverWarnings(simulation.settings(), simulation.model());
   if (!arguments.resume.empty()) {
