@@ -10,14 +10,6 @@
 namespace drape::app {
 namespace {
 
-bool hasButton(const Json& state, const char* name) {
-  return state["buttons"].contains(name);
-}
-
-bool says(const Json& state, const char* words) {
-  return state["message"].get<std::string>().find(words) != std::string::npos;
-}
-
 std::set<std::string> bodiesOf(const Json& state) {
   std::set<std::string> names;
   for (const Json& body : state["bodies"]) {

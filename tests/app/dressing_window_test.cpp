@@ -88,14 +88,6 @@ class Wardrobe {
   TemporaryFolder folder_;
 };
 
-bool hasButton(const Json& state, const std::string& name) {
-  return state["buttons"].contains(name);
-}
-
-bool says(const Json& state, const std::string& words) {
-  return state["message"].get<std::string>().find(words) != std::string::npos;
-}
-
 bool isDressed(const Json& state) {
   return state["placed"].get<bool>() && state["dressing"].is_null();
 }

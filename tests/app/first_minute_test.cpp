@@ -13,14 +13,6 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-bool isAttached(const Json& state) {
-  return !state["attachment"].is_null();
-}
-
-bool hasButton(const Json& state, const char* name) {
-  return state["buttons"].contains(name);
-}
-
 std::string status(const Json& state) {
   return state["status"].get<std::string>();
 }

@@ -11,20 +11,6 @@
 namespace drape::app {
 namespace {
 
-bool hasButton(const Json& state, const std::string& name) {
-  return state["buttons"].contains(name);
-}
-
-bool says(const Json& state, const std::string& words) {
-  return state["message"].get<std::string>().find(words) != std::string::npos;
-}
-
-std::string contentOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 void writeFile(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::create_directories(file.parent_path());
   std::ofstream(file) << text;

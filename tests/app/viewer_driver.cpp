@@ -20,13 +20,6 @@ namespace {
 constexpr auto patience = std::chrono::seconds(60);  // ample, for machines under load
 constexpr const char* statusName = "status.json";
 
-std::string contentOf(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 /// The rectangle of a widget or a button; null when it does not exist.
 Json rectOf(const Json& state, const std::string& name) {
   for (const char* kind : {"widgets", "buttons"}) {
@@ -38,6 +31,25 @@ Json rectOf(const Json& state, const std::string& name) {
 }
 
 }  // namespace
+
+bool hasButton(const Json& state, const std::string& name) {
+  return state["buttons"].contains(name);
+}
+
+bool says(const Json& state, const std::string& words) {
+  return state["message"].get<std::string>().find(words) != std::string::npos;
+}
+
+bool isAttached(const Json& state) {
+  return !state["attachment"].is_null();
+}
+
+std::string contentOf(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
 
 TemporaryFolder::TemporaryFolder() {
   std::string pattern = (std::filesystem::temp_directory_path() / "drape-window-XXXXXX").string();

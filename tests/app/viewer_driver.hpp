@@ -16,6 +16,18 @@ namespace drape::app {
 
 using Json = nlohmann::json;
 
+/// Whether a state has a button of that name.
+[[nodiscard]] bool hasButton(const Json& state, const std::string& name);
+
+/// Whether the message of a state contains these words.
+[[nodiscard]] bool says(const Json& state, const std::string& words);
+
+/// Whether the mouse pulls at the cloth.
+[[nodiscard]] bool isAttached(const Json& state);
+
+/// The text of a file; empty when it cannot be read.
+[[nodiscard]] std::string contentOf(const std::filesystem::path& file);
+
 /// A folder that is removed with this object.
 class TemporaryFolder {
  public:

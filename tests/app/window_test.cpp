@@ -61,10 +61,6 @@ Vector expectedMove(const Json& state, const Vector& taken, double dx, double dy
   return move;
 }
 
-bool isAttached(const Json& state) {
-  return !state["attachment"].is_null();
-}
-
 /// Presses on the cloth and waits until the simulation has the attachment.
 Json takeCloth(ViewerDriver& viewer, const Place& place) {
   viewer.move(place);

@@ -6,7 +6,7 @@
 namespace drape::io {
 namespace {
 
-ImportedMesh import(const std::string& name, const std::string& text) {
+ImportedMesh importedFrom(const std::string& name, const std::string& text) {
   return importMeshFromMemory(name, text, {});
 }
 
@@ -27,10 +27,10 @@ void expectPlaces(const ImportedMesh& mesh, int outside = 0) {
 TEST(FileMesh, keepsTheVerticesAndPolygonsOfAnObjInTheirOrder) {
   // The faces use the vertices in another order than the file has them, vertex 2 lies where vertex 5 does, and vertex 3
   // belongs to no face.
-  const ImportedMesh mesh = import("a.obj",
-                                   "v 1 1 0\nv 1 0 0\nv 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
-                                   "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.25 0.5\n"
-                                   "f 4/1 2/2 1/3 6/4\nf 5/5 -2/2 -1\nf 5 -1 1\n");
+  const ImportedMesh mesh = importedFrom("a.obj",
+                                         "v 1 1 0\nv 1 0 0\nv 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 2 1 0\n"
+                                         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.25 0.5\n"
+                                         "f 4/1 2/2 1/3 6/4\nf 5/5 -2/2 -1\nf 5 -1 1\n");
   ASSERT_TRUE(mesh.file);
   ASSERT_EQ(mesh.file->positions.size(), 8U);
   EXPECT_EQ(mesh.file->positions[7], Vec3(2, 1, 0));
@@ -45,17 +45,17 @@ TEST(FileMesh, keepsTheVerticesAndPolygonsOfAnObjInTheirOrder) {
 }
 
 TEST(FileMesh, dividesTheVerticesOfAnObjByTheirWeight) {
-  const ImportedMesh mesh = import("a.obj", "v 0 0 0 2\nv 2 0 0 2\nv 0 2 0 2\nf 1 2 3\n");
+  const ImportedMesh mesh = importedFrom("a.obj", "v 0 0 0 2\nv 2 0 0 2\nv 0 2 0 2\nf 1 2 3\n");
   EXPECT_EQ(mesh.file->positions[1], Vec3(1, 0, 0));
   expectPlaces(mesh);
 }
 
 TEST(FileMesh, keepsTheOrderOfAPly) {
-  const ImportedMesh mesh = import("a.ply",
-                                   "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
-                                   "property float z\nproperty float s\nproperty float t\nelement face 2\n"
-                                   "property list uchar int vertex_indices\nend_header\n"
-                                   "7 7 7 0 0\n1 1 0 1 1\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 2 3 1\n3 2 1 4\n");
+  const ImportedMesh mesh = importedFrom("a.ply",
+                                         "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+                                         "property float z\nproperty float s\nproperty float t\nelement face 2\n"
+                                         "property list uchar int vertex_indices\nend_header\n"
+                                         "7 7 7 0 0\n1 1 0 1 1\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 2 3 1\n3 2 1 4\n");
   ASSERT_EQ(mesh.file->positions.size(), 5U);
   expectPlaces(mesh, 1);
   EXPECT_EQ(mesh.file->particle[0], -1);
@@ -68,14 +68,14 @@ TEST(FileMesh, keepsTheOrderOfAPly) {
 TEST(FileMesh, followsVerticesThatTheWeldJoins) {
   // Vertex 4 is a nanometre away from vertex 2.
   const ImportedMesh mesh =
-      import("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.000000001 0 0\nv 1 1 0\nf 1 2 3\nf 4 5 3\n");
+      importedFrom("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1.000000001 0 0\nv 1 1 0\nf 1 2 3\nf 4 5 3\n");
   EXPECT_EQ(mesh.cloth.positions.size(), 4U);
   EXPECT_EQ(mesh.file->particle[1], mesh.file->particle[3]);
   expectPlaces(mesh);
 }
 
 TEST(FileMesh, isTheMeshOfTheLibraryForFormatsWithoutVertices) {
-  const ImportedMesh mesh = import("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
+  const ImportedMesh mesh = importedFrom("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 1 3 2\n");
   EXPECT_EQ(mesh.file->positions.size(), 4U);
   EXPECT_EQ(mesh.file->faceEnds.size(), 2U);
   expectPlaces(mesh);

@@ -17,7 +17,7 @@ ImportedMesh welded(const RawMesh& raw) {
   return weldMesh(raw, "garment", {});
 }
 
-intersection::Surface surfaceOf(const ImportedMesh& mesh) {
+intersection::Surface trianglesOf(const ImportedMesh& mesh) {
   return {mesh.cloth.positions, mesh.cloth.triangles};
 }
 
@@ -126,7 +126,7 @@ void expectOneClosedSurface(const ImportedMesh& mesh) {
   EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
   EXPECT_EQ(mesh.summary.misorientedEdges, 0);
   EXPECT_EQ(mesh.summary.vertices - mesh.summary.springs + mesh.summary.triangles, 2) << "Euler's formula: no holes";
-  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(mesh)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(trianglesOf(mesh)).size(), 0U);
 }
 
 TEST(Garments, lieAroundFiguresThatAreClosedSurfacesAndTouchThemNowhere) {
@@ -137,9 +137,9 @@ TEST(Garments, lieAroundFiguresThatAreClosedSurfacesAndTouchThemNowhere) {
   expectOneClosedSurface(skater);
   EXPECT_NEAR(skater.summary.size[1], 1.67, 0.02);
   const ImportedMesh tshirt = welded(makeTshirt());
-  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(tshirt), surfaceOf(mannequin)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(trianglesOf(tshirt), trianglesOf(mannequin)).size(), 0U);
   const ImportedMesh cape = welded(makeCape());
-  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(cape), surfaceOf(skater)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(trianglesOf(cape), trianglesOf(skater)).size(), 0U);
 }
 
 TEST(Garments, includeAFigureWithClothesThatTouchNeitherItNorEachOther) {
@@ -153,10 +153,10 @@ TEST(Garments, includeAFigureWithClothesThatTouchNeitherItNorEachOther) {
   expectSoundGarment(tshirt, 4);
   expectSoundGarment(dress, 4);
   for (const ImportedMesh* garment : {&skirt, &tshirt, &dress}) {
-    EXPECT_EQ(intersection::intersectingPairs(surfaceOf(*garment)).size(), 0U);
-    EXPECT_EQ(intersection::intersectingPairs(surfaceOf(*garment), surfaceOf(figure)).size(), 0U);
+    EXPECT_EQ(intersection::intersectingPairs(trianglesOf(*garment)).size(), 0U);
+    EXPECT_EQ(intersection::intersectingPairs(trianglesOf(*garment), trianglesOf(figure)).size(), 0U);
   }
-  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(skirt), surfaceOf(tshirt)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(trianglesOf(skirt), trianglesOf(tshirt)).size(), 0U);
 }
 
 TEST(Garments, includeACapeWithOneBorder) {
@@ -166,7 +166,7 @@ TEST(Garments, includeACapeWithOneBorder) {
   EXPECT_EQ(cape.summary.boundaryLoops, 1);
   EXPECT_EQ(cape.summary.nonManifoldEdges, 0);
   EXPECT_LT(edgeRatio(cape.cloth), 6.0);
-  EXPECT_EQ(intersection::intersectingPairs(surfaceOf(cape)).size(), 0U);
+  EXPECT_EQ(intersection::intersectingPairs(trianglesOf(cape)).size(), 0U);
 }
 
 TEST(Garments, lieOnATableThatIsOneClosedSurfaceAndLevel) {

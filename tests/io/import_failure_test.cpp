@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string fourCorners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
+const std::string fourVertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n";
 
 std::string problemOf(std::string_view name, std::string_view bytes) {
   return inputErrorOf([&] { (void)importMeshFromMemory(name, bytes, {}); });
@@ -65,7 +65,7 @@ class ImportFailure : public testing::Test {
   static std::string problemOfSoundFile(double timeLimit = 0.0) {
     ImportOptions options;
     options.timeLimit = timeLimit;
-    return inputErrorOf([&] { (void)importMeshFromMemory("sound.obj", fourCorners + "f 1 2 3\n", options); });
+    return inputErrorOf([&] { (void)importMeshFromMemory("sound.obj", fourVertices + "f 1 2 3\n", options); });
   }
 
   fs::path folder_;
@@ -94,7 +94,7 @@ TEST_F(ImportFailure, namesAFileThatMayNotBeRead) {
   if (geteuid() == 0) {
     GTEST_SKIP() << "root may read everything";
   }
-  const fs::path file = write("locked.obj", fourCorners);
+  const fs::path file = write("locked.obj", fourVertices);
   fs::permissions(file, fs::perms::none);
   EXPECT_TRUE(contains(problemOfFile(file), "locked.obj: cannot be read"));
 }
@@ -107,7 +107,7 @@ TEST_F(ImportFailure, namesAFileThatIsTooLargeWithoutReadingIt) {
 
 TEST_F(ImportFailure, listsTheFormatsForAnUnknownEnding) {
   for (const std::string name : {"shirt.xyz", "shirt", "shirt."}) {
-    const std::string message = problemOfFile(write(name, fourCorners));
+    const std::string message = problemOfFile(write(name, fourVertices));
     EXPECT_TRUE(contains(message, ".obj, .ply, .stl, .off, .glb, .gltf")) << message;
   }
 }
@@ -131,15 +131,15 @@ TEST_F(ImportFailure, namesTheLineOfACoordinateThatIsNotFinite) {
 }
 
 TEST_F(ImportFailure, namesTheLineOfAMissingVertex) {
-  EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "f 1 2 9\n"), "bad.obj: line 5: there is no vertex 9"));
-  EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "f 0 1 2\n"), "bad.obj: line 5: vertex 0 does not exist"));
+  EXPECT_TRUE(contains(problemOf("bad.obj", fourVertices + "f 1 2 9\n"), "bad.obj: line 5: there is no vertex 9"));
+  EXPECT_TRUE(contains(problemOf("bad.obj", fourVertices + "f 0 1 2\n"), "bad.obj: line 5: vertex 0 does not exist"));
 }
 
 TEST_F(ImportFailure, saysThatThereAreNoFaces) {
-  EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners), "bad.obj: there are no faces"));
-  EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "f 1 2\n"), "no faces in it but lines and points"));
-  EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "l 1 2\nl 2 3\n"), "no faces in it but lines and points"));
-  EXPECT_TRUE(contains(problemOf("bad.obj", fourCorners + "f 1 1 2\nf 3 3 3\n"), "none of its"));
+  EXPECT_TRUE(contains(problemOf("bad.obj", fourVertices), "bad.obj: there are no faces"));
+  EXPECT_TRUE(contains(problemOf("bad.obj", fourVertices + "f 1 2\n"), "no faces in it but lines and points"));
+  EXPECT_TRUE(contains(problemOf("bad.obj", fourVertices + "l 1 2\nl 2 3\n"), "no faces in it but lines and points"));
+  EXPECT_TRUE(contains(problemOf("bad.obj", fourVertices + "f 1 1 2\nf 3 3 3\n"), "none of its"));
 }
 
 TEST_F(ImportFailure, refusesRandomBytesInEveryFormat) {
@@ -152,12 +152,12 @@ TEST_F(ImportFailure, refusesRandomBytesInEveryFormat) {
 }
 
 TEST_F(ImportFailure, readsAFileOnlyAsWhatItsNameSays) {
-  EXPECT_TRUE(contains(problemOf("really_obj.stl", fourCorners + "f 1 2 3\n"), "it is too short for an STL file"));
+  EXPECT_TRUE(contains(problemOf("really_obj.stl", fourVertices + "f 1 2 3\n"), "it is too short for an STL file"));
   EXPECT_TRUE(contains(problemOf("really_stl.obj", "solid x\nendsolid x\n"), "it is not an OBJ file"));
 }
 
 TEST_F(ImportFailure, survivesObjFilesCutOffAnywhere) {
-  const std::string whole = fourCorners + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\nf 2/2 4/1 3/3\n";
+  const std::string whole = fourVertices + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\nf 2/2 4/1 3/3\n";
   for (std::size_t size = 1; size < whole.size(); size += 3) {
     try {
       (void)importMeshFromMemory("cut.obj", whole.substr(0, size), {});
@@ -196,7 +196,7 @@ TEST_F(ImportFailure, cancelsWhileTheReaderWorks) {
     }
     source.request_stop();
   });
-  EXPECT_THROW((void)importMeshFromMemory("sound.obj", fourCorners + "f 1 2 3\n", options), Cancelled);
+  EXPECT_THROW((void)importMeshFromMemory("sound.obj", fourVertices + "f 1 2 3\n", options), Cancelled);
   later.join();
 }
 
@@ -212,7 +212,7 @@ TEST_F(ImportFailure, hasAGoodMessageForEveryDamagedFile) {
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
   const std::vector<std::pair<std::string, std::string>> files{
-      {"a.obj", fourCorners + "vt 0 0\nf 1/1 2/1 3/1\nf 2 4 3\n"},
+      {"a.obj", fourVertices + "vt 0 0\nf 1/1 2/1 3/1\nf 2 4 3\n"},
       {"a.stl", "solid x\n" + facet + "endsolid x\n"},
       {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"},
       {"a.ply",

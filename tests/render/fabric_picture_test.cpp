@@ -15,8 +15,8 @@
 namespace drape::render {
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
+constexpr int pictureWidth = 320;
+constexpr int pictureHeight = 240;
 
 session::Snapshot sheetOf(std::string_view preset, double waveHeight = 0.0) {
   session::Snapshot snapshot = wavySheet(waveHeight);
@@ -36,9 +36,9 @@ Camera cameraAt(double distance) {
 /// A square of 40 by 40 pixels in the middle of a picture.
 template <typename Visit>
 void forEachPixelInTheMiddle(const Image& image, Visit&& visit) {
-  for (int y = height / 2 - 20; y < height / 2 + 20; ++y) {
-    for (int x = width / 2 - 20; x < width / 2 + 20; ++x) {
-      visit(&image.rgb[3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x))]);
+  for (int y = pictureHeight / 2 - 20; y < pictureHeight / 2 + 20; ++y) {
+    for (int x = pictureWidth / 2 - 20; x < pictureWidth / 2 + 20; ++x) {
+      visit(&image.rgb[3 * (static_cast<std::size_t>(y) * pictureWidth + static_cast<std::size_t>(x))]);
     }
   }
 }
@@ -47,7 +47,7 @@ void forEachPixelInTheMiddle(const Image& image, Visit&& visit) {
 int contrastOf(const Image& image) {
   int largest = 0;
   forEachPixelInTheMiddle(image, [&](const std::uint8_t* pixel) {
-    const std::uint8_t* below = pixel + std::size_t{3} * width;
+    const std::uint8_t* below = pixel + std::size_t{3} * pictureWidth;
     for (int channel = 0; channel < 3; ++channel) {
       largest =
           std::max({largest, std::abs(pixel[channel] - pixel[channel + 3]), std::abs(pixel[channel] - below[channel])});
@@ -71,7 +71,7 @@ class FabricPicture : public testing::Test {
  protected:
   Image picture(const session::Snapshot& snapshot, const Camera& camera = cameraInFront()) {
     Renderer renderer;
-    renderer.draw(snapshot, camera, width, height);
+    renderer.draw(snapshot, camera, pictureWidth, pictureHeight);
     return renderer.read();
   }
 

@@ -14,8 +14,8 @@
 namespace drape::render {
 namespace {
 
-constexpr int width = 320;
-constexpr int height = 240;
+constexpr int targetWidth = 320;
+constexpr int targetHeight = 240;
 
 using Pixel = std::array<int, 3>;
 
@@ -42,7 +42,7 @@ session::Snapshot withoutCloth(session::Snapshot snapshot) {
 class RendererTest : public testing::Test {
  protected:
   Image picture(const session::Snapshot& snapshot, const Camera& camera = cameraInFront()) {
-    renderer_.draw(snapshot, camera, width, height);
+    renderer_.draw(snapshot, camera, targetWidth, targetHeight);
     return renderer_.read();
   }
 
@@ -55,9 +55,9 @@ class RendererTest : public testing::Test {
 
 TEST_F(RendererTest, PictureHasTheSizeAskedForAndIsNotBlack) {
   const Image image = picture(wavySheet(0.06));
-  EXPECT_EQ(image.width, width);
-  EXPECT_EQ(image.height, height);
-  ASSERT_EQ(image.rgb.size(), std::size_t{3} * width * height);
+  EXPECT_EQ(image.width, targetWidth);
+  EXPECT_EQ(image.height, targetHeight);
+  ASSERT_EQ(image.rgb.size(), std::size_t{3} * targetWidth * targetHeight);
   EXPECT_GT(*std::max_element(image.rgb.begin(), image.rgb.end()), 200);
   const std::set<std::uint8_t> values(image.rgb.begin(), image.rgb.end());
   EXPECT_GT(values.size(), 50U);
@@ -74,13 +74,13 @@ TEST_F(RendererTest, ClothIsWhereTheCameraProjectsIt) {
   for (const Vec3& position : snapshot.positions) {
     // Slightly towards the middle, so that vertices on the rim count too.
     const Vec3 inside = position + 0.03 * (Vec3(0.0, 0.9, position.z()) - position);
-    const Vec2 place = camera.project(inside, width, height);
+    const Vec2 place = camera.project(inside, targetWidth, targetHeight);
     const int x = static_cast<int>(place.x());
     const int y = static_cast<int>(place.y());
     covered += distanceOf(pixelAt(with, x, y), pixelAt(without, x, y)) > 20 ? 1 : 0;
   }
   EXPECT_EQ(covered, static_cast<int>(snapshot.positions.size()));
-  for (const auto& [x, y] : {std::pair(3, 3), std::pair(width - 4, 3), std::pair(3, height / 2)}) {
+  for (const auto& [x, y] : {std::pair(3, 3), std::pair(targetWidth - 4, 3), std::pair(3, targetHeight / 2)}) {
     EXPECT_EQ(pixelAt(with, x, y), pixelAt(without, x, y));
   }
 }
@@ -89,7 +89,7 @@ TEST_F(RendererTest, TwoRenderersDrawTheSameBytes) {
   const session::Snapshot snapshot = wavySheet(0.06);
   const Image first = picture(snapshot);
   Renderer other;
-  other.draw(snapshot, cameraInFront(), width, height);
+  other.draw(snapshot, cameraInFront(), targetWidth, targetHeight);
   EXPECT_EQ(first.rgb, other.read().rgb);
   EXPECT_EQ(first.rgb, picture(snapshot).rgb);
 }
@@ -122,10 +122,10 @@ TEST_F(RendererTest, ViewSettingsChangeThePicture) {
 TEST_F(RendererTest, FrontAndBackAreTinted) {
   session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
-  const Pixel front = pixelAt(picture(snapshot), width / 2, height / 2);
+  const Pixel front = pixelAt(picture(snapshot), targetWidth / 2, targetHeight / 2);
   scene::CameraPose pose = cameraInFront().pose();
   pose.position.z() = -pose.position.z();
-  const Pixel back = pixelAt(picture(snapshot, Camera(pose)), width / 2, height / 2);
+  const Pixel back = pixelAt(picture(snapshot, Camera(pose)), targetWidth / 2, targetHeight / 2);
   EXPECT_GT(front[2], front[0] + 30) << "the front is blue";
   EXPECT_GT(back[0], back[2] + 30) << "the back is red";
 }
@@ -140,7 +140,7 @@ TEST_F(RendererTest, OutlinesAreBlendedFromFourSamples) {
   // Every row crosses the left outline once; the pixel there is a mixture of quarters.
   std::set<int> quarters;
   for (int y = 80; y < 160; ++y) {
-    for (int x = 1; x + 1 < width / 2; ++x) {
+    for (int x = 1; x + 1 < targetWidth / 2; ++x) {
       const int background = pixelAt(without, x, y)[0];
       const int cloth = pixelAt(with, x + 2, y)[0];
       const int here = pixelAt(with, x, y)[0];
@@ -170,7 +170,7 @@ TEST_F(RendererTest, AttachmentAndPinsAreShown) {
   session::Snapshot attached = snapshot;
   attached.attachment = session::AttachmentStatus{{0, {1.0, 0.0, 0.0}, {0.3, 1.1, 0.4}}, {0.0, 0.9, 0.0}, false};
   const Image with = picture(attached);
-  const Vec2 target = camera.project(attached.attachment->target, width, height);
+  const Vec2 target = camera.project(attached.attachment->target, targetWidth, targetHeight);
   const Pixel amber = pixelAt(with, static_cast<int>(target.x()), static_cast<int>(target.y()));
   EXPECT_GT(amber[0], amber[2] + 100);
   EXPECT_GT(compareImages(without, with, 8).pixels, 100);
@@ -198,8 +198,8 @@ session::Snapshot withGhost(session::Snapshot snapshot, double behind) {
 TEST_F(RendererTest, AGhostInFrontIsGreenAndTheClothShowsThrough) {
   session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
-  const Pixel cloth = pixelAt(picture(snapshot), width / 2, height / 2);
-  const Pixel mixed = pixelAt(picture(withGhost(snapshot, -0.1)), width / 2, height / 2);
+  const Pixel cloth = pixelAt(picture(snapshot), targetWidth / 2, targetHeight / 2);
+  const Pixel mixed = pixelAt(picture(withGhost(snapshot, -0.1)), targetWidth / 2, targetHeight / 2);
   EXPECT_GT(mixed[1], mixed[0] + 20);
   EXPECT_GT(mixed[1], mixed[2] + 10);
   session::Snapshot alone = withGhost(snapshot, -0.1);
@@ -207,7 +207,7 @@ TEST_F(RendererTest, AGhostInFrontIsGreenAndTheClothShowsThrough) {
     position.z() += 1000.0;
   }
   ++alone.version;
-  const Pixel ghost = pixelAt(picture(alone), width / 2, height / 2);
+  const Pixel ghost = pixelAt(picture(alone), targetWidth / 2, targetHeight / 2);
   EXPECT_GT(distanceOf(mixed, cloth), 20);
   EXPECT_GT(distanceOf(mixed, ghost), 20);
 }
@@ -218,8 +218,8 @@ TEST_F(RendererTest, AGhostInTheSamePlaceOrBehindIsHidden) {
     snapshot.settings.view.wireframe = wireframe;
     const Image without = picture(snapshot);
     EXPECT_EQ(compareImages(without, picture(withGhost(snapshot, 0.0)), 8).pixels, 0);
-    const Pixel before = pixelAt(without, width / 2, height / 2);
-    EXPECT_EQ(pixelAt(picture(withGhost(snapshot, 0.1)), width / 2, height / 2), before);
+    const Pixel before = pixelAt(without, targetWidth / 2, targetHeight / 2);
+    EXPECT_EQ(pixelAt(picture(withGhost(snapshot, 0.1)), targetWidth / 2, targetHeight / 2), before);
   }
 }
 
@@ -233,7 +233,7 @@ TEST_F(RendererTest, AGhostIsDrawnBesideTheCloth) {
   session::Snapshot beside = withGhost(snapshot, 0.0);
   beside.settings.ghost.offset = 1.5;
   const Image with = picture(beside, camera);
-  const Vec2 place = camera.project({1.5, 0.9, 0.0}, width, height);
+  const Vec2 place = camera.project({1.5, 0.9, 0.0}, targetWidth, targetHeight);
   const int x = static_cast<int>(place.x());
   const int y = static_cast<int>(place.y());
   EXPECT_GT(distanceOf(pixelAt(with, x, y), pixelAt(without, x, y)), 40);
@@ -276,7 +276,7 @@ TEST_F(RendererTest, AStandIsDrawn) {
   scene->stand = scene::Decor{{{-0.9, 0.0, 0.2}, {-0.6, 0.0, 0.2}, {-0.75, 1.2, 0.2}}, {{0, 1, 2}}};
   session::Snapshot withStand = snapshot;
   withStand.scene = scene;
-  const Vec2 place = cameraInFront().project({-0.75, 0.5, 0.2}, width, height);
+  const Vec2 place = cameraInFront().project({-0.75, 0.5, 0.2}, targetWidth, targetHeight);
   const int x = static_cast<int>(place.x());
   const int y = static_cast<int>(place.y());
   EXPECT_GT(distanceOf(pixelAt(picture(withStand), x, y), pixelAt(without, x, y)), 15);
@@ -290,7 +290,7 @@ TEST_F(RendererTest, IntersectionsAreDrawnInRedOverTheCloth) {
   crossing.intersections = {{behind - 0.1 * Vec3::UnitX(), behind + 0.1 * Vec3::UnitX()}};
   ++crossing.version;
   const Image with = picture(crossing);
-  const Vec2 place = cameraInFront().project(behind, width, height);
+  const Vec2 place = cameraInFront().project(behind, targetWidth, targetHeight);
   const Pixel line = pixelAt(with, static_cast<int>(place.x()), static_cast<int>(place.y()));
   EXPECT_GT(line[0], line[1] + 120);
   EXPECT_GT(compareImages(without, with, 8).pixels, 10);
@@ -307,13 +307,13 @@ TEST_F(RendererTest, ContactsAreDrawnWithTheirNormals) {
   const Image with = picture(touching);
   const Camera camera = cameraInFront();
   for (const sim::contact::ContactPoint& contact : touching.contactPoints) {
-    const Vec2 foot = camera.project(contact.point, width, height);
+    const Vec2 foot = camera.project(contact.point, targetWidth, targetHeight);
     const auto pixelOf = [&](const Image& image, const Vec2& place) {
       return pixelAt(image, static_cast<int>(place.x()), static_cast<int>(place.y()));
     };
     EXPECT_GT(distanceOf(pixelOf(with, foot), pixelOf(without, foot)), 10);
     // The drawn normal is red.
-    const Pixel line = pixelOf(with, camera.project(contact.point + 0.02 * contact.normal, width, height));
+    const Pixel line = pixelOf(with, camera.project(contact.point + 0.02 * contact.normal, targetWidth, targetHeight));
     EXPECT_GT(line[0], line[1] + 60);
   }
   EXPECT_GT(compareImages(without, with, 8).pixels, 20);

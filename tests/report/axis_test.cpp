@@ -7,7 +7,7 @@
 namespace drape::report {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::vector<std::string> labelsOf(const Axis& axis) {
@@ -41,9 +41,9 @@ TEST(LogarithmicAxis, leavesLabelsOutWhenThereAreManyDecades) {
 }
 
 TEST(LogarithmicAxis, takesOnlyPositiveValues) {
-  const Axis axis(Scale::Logarithmic, {0.0, -1.0, none, infinite, 5.0});
+  const Axis axis(Scale::Logarithmic, {0.0, -1.0, undefined, infinite, 5.0});
   EXPECT_FALSE(axis.takes(0.0));
-  EXPECT_FALSE(axis.takes(none));
+  EXPECT_FALSE(axis.takes(undefined));
   EXPECT_FALSE(axis.takes(infinite));
   EXPECT_EQ(labelsOf(axis), (std::vector<std::string>{"1", "10"}));
 }
@@ -57,7 +57,7 @@ TEST(LinearAxis, hasRoundTicksAroundTheValues) {
 TEST(Axis, hasTicksWithinItsRangeForAllValues) {
   for (const Scale scale : {Scale::Linear, Scale::Logarithmic}) {
     for (const auto& values :
-         std::vector<std::vector<double>>{{}, {none}, {3.0}, {0.0}, {-2.0, 1e9}, {1e-300, 1e300}}) {
+         std::vector<std::vector<double>>{{}, {undefined}, {3.0}, {0.0}, {-2.0, 1e9}, {1e-300, 1e300}}) {
       const Axis axis(scale, values);
       EXPECT_GE(labelsOf(axis).size(), 2U);
       for (const Tick& tick : axis.ticks()) {

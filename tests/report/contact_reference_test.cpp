@@ -12,7 +12,7 @@
 namespace drape::report {
 namespace {
 
-constexpr int checkpoints = 6;
+constexpr int checkpointsOfRun = 6;
 const auto neverStop = [] {};
 
 /// A small sheet that falls onto a ball, which it touches after 0.03 s.
@@ -27,10 +27,10 @@ std::shared_ptr<const scene::Scene> sheetOnBall() {
 
 TEST(ContactReference, convergesAndTellsHowFarTwoStartsPart) {
   const auto scene = testing::smallGrid({"stiffness=10"});
-  const auto known = sections::contactReference(*scene, scene->settings, checkpoints, 10.0, neverStop);
-  ASSERT_EQ(known.reference.trajectory.checkpoints(), checkpoints);
+  const auto known = sections::contactReference(*scene, scene->settings, checkpointsOfRun, 10.0, neverStop);
+  ASSERT_EQ(known.reference.trajectory.checkpoints(), checkpointsOfRun);
   EXPECT_LE(known.reference.differences.back(), 1e-5);
-  ASSERT_EQ(known.parting.size(), static_cast<std::size_t>(checkpoints) + 1);
+  ASSERT_EQ(known.parting.size(), static_cast<std::size_t>(checkpointsOfRun) + 1);
   EXPECT_GT(known.parting.back(), 0.0);
   EXPECT_LT(known.parting.back(), 1e-5);  // the motion is not chaotic
 }
@@ -39,8 +39,8 @@ TEST(ContactReference, hasTheContactOfTheScene) {
   const auto scene = sheetOnBall();
   auto without = std::make_shared<scene::Scene>(*scene);
   without->settings.step.contact.bodies = false;
-  const auto touching = sections::contactReference(*scene, scene->settings, checkpoints, 0.5, neverStop);
-  const auto falling = sections::contactReference(*without, without->settings, checkpoints, 0.5, neverStop);
+  const auto touching = sections::contactReference(*scene, scene->settings, checkpointsOfRun, 0.5, neverStop);
+  const auto falling = sections::contactReference(*without, without->settings, checkpointsOfRun, 0.5, neverStop);
   const auto highest = [](const Trajectory& run) {
     const auto& positions = run.states.back().positions;
     return std::max_element(positions.begin(), positions.end(),

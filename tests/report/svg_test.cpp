@@ -9,13 +9,14 @@
 namespace drape::report {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double noValue = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Plot twoCurves() {
   Plot plot{"name", "Error & cost <of> \"both\"", {"us", Scale::Logarithmic}, {"mm", Scale::Logarithmic}, {}};
   plot.curves.push_back({"first & <best>", {{1.0, 0.1}, {10.0, 0.01, Mark::Hollow, "5 < 6"}, {100.0, 0.001}}});
-  plot.curves.push_back({"second", {{2.0, 1.0}, {3.0, infinite, Mark::Cross}, {4.0, none}, {5.0, 0.0}, {none, 1.0}}});
+  plot.curves.push_back(
+      {"second", {{2.0, 1.0}, {3.0, infinite, Mark::Cross}, {4.0, noValue}, {5.0, 0.0}, {noValue, 1.0}}});
   return plot;
 }
 
@@ -63,7 +64,7 @@ TEST(SvgPlot, drawsALineThroughThePointsOfACurve) {
 
 TEST(SvgPlot, interruptsALineWhereAValueIsMissing) {
   Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
-  plot.curves.push_back({"line", {{0.0, 0.0}, {1.0, 1.0}, {2.0, none}, {3.0, 1.0}, {4.0, 0.0}}});
+  plot.curves.push_back({"line", {{0.0, 0.0}, {1.0, 1.0}, {2.0, noValue}, {3.0, 1.0}, {4.0, 0.0}}});
   EXPECT_EQ(countOf(svgOf(plot), "class=\"line-curve1\""), 3);  // two pieces and the one of the legend
 }
 
@@ -71,7 +72,7 @@ TEST(SvgPlot, drawsABandWhereThereIsOne) {
   Plot plot{"name", "title", {"x", Scale::Linear}, {"y", Scale::Linear}, {}};
   plot.curves.push_back({"line", {{0.0, 0.5, Mark::Filled, "", 0.0, 1.0}, {1.0, 0.5, Mark::Filled, "", 0.2, 0.8}}});
   EXPECT_EQ(countOf(svgOf(plot), "class=\"fill-curve1\" fill=\"#0072b2\" fill-opacity=\"0.2\""), 1);
-  plot.curves[0].points[0].low = none;
+  plot.curves[0].points[0].low = noValue;
   EXPECT_EQ(countOf(svgOf(plot), "class=\"fill-curve1\" fill=\"#0072b2\" fill-opacity=\"0.2\""), 0);
 }
 

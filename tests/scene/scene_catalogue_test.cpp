@@ -36,7 +36,7 @@ int pinCount(const Scene& scene) {
   return static_cast<int>(std::count(scene.model->pinned.begin(), scene.model->pinned.end(), true));
 }
 
-std::string refusal(const std::string& nameOrPath) {
+std::string refusalOfOpening(const std::string& nameOrPath) {
   try {
     static_cast<void>(openScene(nameOrPath));
     return "";
@@ -276,16 +276,16 @@ TEST(Scenes, sayWhichFrameOfABodyIsMissingOrDoesNotFit) {
 
 TEST(Scenes, sayWhatIsWrongWithAFileThatCannotBeOpened) {
   const Folder folder;
-  EXPECT_NE(refusal("no_such_scene").find("built-in scenes are"), std::string::npos);
-  EXPECT_EQ(refusal("no_such_shirt.obj"), "there is no file 'no_such_shirt.obj'");
-  EXPECT_NE(refusal(folder.string()).find("is a folder"), std::string::npos);
-  EXPECT_NE(refusal(folder.write("picture.png", "x")).find("known extensions"), std::string::npos);
-  EXPECT_NE(refusal(folder.write("empty.toml", "")).find("[cloth]"), std::string::npos);
+  EXPECT_NE(refusalOfOpening("no_such_scene").find("built-in scenes are"), std::string::npos);
+  EXPECT_EQ(refusalOfOpening("no_such_shirt.obj"), "there is no file 'no_such_shirt.obj'");
+  EXPECT_NE(refusalOfOpening(folder.string()).find("is a folder"), std::string::npos);
+  EXPECT_NE(refusalOfOpening(folder.write("picture.png", "x")).find("known extensions"), std::string::npos);
+  EXPECT_NE(refusalOfOpening(folder.write("empty.toml", "")).find("[cloth]"), std::string::npos);
 }
 
 TEST(Scenes, sayWhatToExportInsteadOfAFormatThatIsNotRead) {
   const Folder folder;
-  EXPECT_NE(refusal(folder.write("shirt.fbx", "x")).find("'.fbx' files are not supported. Open it in Blender"),
+  EXPECT_NE(refusalOfOpening(folder.write("shirt.fbx", "x")).find("'.fbx' files are not supported. Open it in Blender"),
             std::string::npos);
 }
 

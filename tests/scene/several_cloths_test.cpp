@@ -31,18 +31,18 @@ grid.resolution = 5
 density = 0.2
 )";
 
-SceneDescription parse(const std::string& text) {
+SceneDescription sceneOf(const std::string& text) {
   return parseScene(text, "test", "test.toml", {});
 }
 
-std::shared_ptr<const Scene> build(const std::string& text) {
-  const SceneDescription description = parse(text);
+std::shared_ptr<const Scene> builtFrom(const std::string& text) {
+  const SceneDescription description = sceneOf(text);
   return buildScene(description, description.settings);
 }
 
-std::string refusal(const std::string& text) {
+std::string refusalOf(const std::string& text) {
   try {
-    static_cast<void>(build(text));
+    static_cast<void>(builtFrom(text));
   } catch (const messages::InputError& error) {
     return error.what();
   }
@@ -55,7 +55,7 @@ double massOf(const Scene& scene, const ClothPart& cloth) {
 }
 
 TEST(SeveralCloths, areOneModelWithoutASpringBetweenThem) {
-  const auto scene = build(twoSheets);
+  const auto scene = builtFrom(twoSheets);
   ASSERT_EQ(scene->cloths.size(), 2U);
   EXPECT_EQ(scene->cloths[0].vertexCount, 25);
   EXPECT_EQ(scene->cloths[1].vertexCount, 16);
@@ -70,7 +70,7 @@ TEST(SeveralCloths, areOneModelWithoutASpringBetweenThem) {
 }
 
 TEST(SeveralCloths, haveTheirOwnPositionsPinsMassesAndGrids) {
-  const auto scene = build(twoSheets);
+  const auto scene = builtFrom(twoSheets);
   EXPECT_EQ(scene->start.positions[0].y(), 1.0);
   EXPECT_NEAR(scene->start.positions[25].y(), 0.0, 1e-12);
   EXPECT_NEAR(scene->start.positions[25].z(), 0.5, 1e-12) << "turned by 90 degrees about y";
@@ -86,13 +86,13 @@ TEST(SeveralCloths, haveTheirOwnFabrics) {
   const std::string denim = "settings = { \"material.preset\" = \"denim\" }\n";
   const std::string settings =
       "[settings]\nmaterial.model = \"fabric\"\nmaterial.preset = \"silk\"\ngrid.resolution = 5\n";
-  const auto scene = build(upper + lower + denim + settings);
+  const auto scene = builtFrom(upper + lower + denim + settings);
   ASSERT_NE(scene->model->fabric, nullptr);
   EXPECT_EQ(scene->model->fabric->materials[0], sim::fabric::findPreset("silk")->material);
   EXPECT_EQ(scene->model->fabric->materials[32], sim::fabric::findPreset("denim")->material);
   EXPECT_NEAR(massOf(*scene, scene->cloths[0]), sim::fabric::findPreset("silk")->density, 1e-12);
   EXPECT_NEAR(massOf(*scene, scene->cloths[1]), sim::fabric::findPreset("denim")->density, 1e-12);
-  EXPECT_EQ(build(upper + lower + settings)->model->fabric->materials.list().size(), 1U)
+  EXPECT_EQ(builtFrom(upper + lower + settings)->model->fabric->materials.list().size(), 1U)
       << "equal fabrics are one material";
 }
 
@@ -100,14 +100,14 @@ TEST(SeveralCloths, haveTheirOwnStiffnessOfSprings) {
   std::string text = twoSheets;
   text.replace(text.find("density = 0.6"), 13, "stiffness = 900");
   text += "stiffness = 300\n";
-  const auto scene = build(text);
+  const auto scene = builtFrom(text);
   for (const sim::Spring& spring : scene->model->springs) {
     EXPECT_EQ(spring.relativeStiffness, spring.a < 25 ? 1.0 : 3.0);
   }
 }
 
 TEST(SeveralCloths, haveOneRenderMeshWithTheirTrianglesInOrder) {
-  const auto scene = build(twoSheets);
+  const auto scene = builtFrom(twoSheets);
   ASSERT_EQ(scene->renderMesh.triangles.size(), scene->model->triangles.size());
   for (std::size_t t = 0; t < scene->model->triangles.size(); ++t) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -118,9 +118,9 @@ TEST(SeveralCloths, haveOneRenderMeshWithTheirTrianglesInOrder) {
 
 TEST(SeveralCloths, areTheSameAsOneClothIfThereIsOne) {
   const char* sheet = "grid = \"vertical\"\npins = { edges = [\"top\"] }\n[settings]\ngrid.resolution = 6\n";
-  const auto listed = build("[[cloths]]\nname = \"sheet\"\n" + std::string(sheet));
+  const auto listed = builtFrom("[[cloths]]\nname = \"sheet\"\n" + std::string(sheet));
   const auto alone =
-      build("[cloth]\ngrid = \"vertical\"\n[pins]\nedges = [\"top\"]\n[settings]\ngrid.resolution = 6\n");
+      builtFrom("[cloth]\ngrid = \"vertical\"\n[pins]\nedges = [\"top\"]\n[settings]\ngrid.resolution = 6\n");
   EXPECT_EQ(listed->model->restPositions, alone->model->restPositions);
   EXPECT_EQ(listed->model->vertexMass, alone->model->vertexMass);
   EXPECT_EQ(listed->model->pinned, alone->model->pinned);
@@ -128,18 +128,18 @@ TEST(SeveralCloths, areTheSameAsOneClothIfThereIsOne) {
 
 TEST(SeveralCloths, refusesWhatDoesNotFitTogether) {
   const std::string sheet = "[[cloths]]\nname = \"a\"\ngrid = \"vertical\"\n";
-  EXPECT_NE(refusal("[cloth]\ngrid = \"vertical\"\n" + sheet).find("either a table [cloth] or tables [[cloths]]"),
+  EXPECT_NE(refusalOf("[cloth]\ngrid = \"vertical\"\n" + sheet).find("either a table [cloth] or tables [[cloths]]"),
             std::string::npos);
-  EXPECT_NE(refusal("title = \"empty\"\n").find("either a table [cloth] or tables [[cloths]]"), std::string::npos);
-  EXPECT_NE(refusal(sheet + sheet).find("test.toml:4: there are two cloths with the name \"a\""), std::string::npos);
-  EXPECT_NE(refusal("[[cloths]]\ngrid = \"vertical\"\n").find("test.toml:1: every table of [[cloths]] needs a name"),
+  EXPECT_NE(refusalOf("title = \"empty\"\n").find("either a table [cloth] or tables [[cloths]]"), std::string::npos);
+  EXPECT_NE(refusalOf(sheet + sheet).find("test.toml:4: there are two cloths with the name \"a\""), std::string::npos);
+  EXPECT_NE(refusalOf("[[cloths]]\ngrid = \"vertical\"\n").find("test.toml:1: every table of [[cloths]] needs a name"),
             std::string::npos);
-  EXPECT_NE(refusal(sheet + "[pins]\ntop = 0.1\n").find("each cloth has its own pins"), std::string::npos);
-  const std::string shared = refusal(sheet + "settings = { time_step = 0.01 }\n");
+  EXPECT_NE(refusalOf(sheet + "[pins]\ntop = 0.1\n").find("each cloth has its own pins"), std::string::npos);
+  const std::string shared = refusalOf(sheet + "settings = { time_step = 0.01 }\n");
   EXPECT_NE(shared.find("test.toml:4: time_step is the same for all cloths"), std::string::npos) << shared;
-  const std::string model = refusal(sheet + "settings = { \"material.model\" = \"fabric\" }\n");
+  const std::string model = refusalOf(sheet + "settings = { \"material.model\" = \"fabric\" }\n");
   EXPECT_NE(model.find("material.model is the same for all cloths"), std::string::npos) << model;
-  const std::string range = refusal(sheet + "settings = { density = -1 }\n");
+  const std::string range = refusalOf(sheet + "settings = { density = -1 }\n");
   EXPECT_NE(range.find("test.toml:4: density"), std::string::npos) << range;
 }
 

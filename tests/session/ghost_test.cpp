@@ -10,7 +10,7 @@ namespace {
 
 using testing::smallGrid;
 
-void advance(Simulation& simulation, int steps) {
+void takeSteps(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) {
     simulation.step();
   }
@@ -25,15 +25,15 @@ void set(Simulation& simulation, const char* key, const settings::SettingValue& 
 void use(Simulation& simulation) {
   set(simulation, "wind.z", 2.0);
   set(simulation, "drag", 0.5);
-  advance(simulation, 10);
+  takeSteps(simulation, 10);
   simulation.apply(AttachCommand{{70, Vec3::Constant(1.0 / 3.0), Vec3(0.1, 1.2, 0.3)}});
-  advance(simulation, 15);
+  takeSteps(simulation, 15);
   simulation.apply(TogglePinCommand{});
   set(simulation, "stiffness", 300.0);
-  advance(simulation, 15);
+  takeSteps(simulation, 15);
   simulation.apply(DetachCommand{});
   set(simulation, "mass", 0.2);
-  advance(simulation, 15);
+  takeSteps(simulation, 15);
 }
 
 TEST(Ghost, doesNotChangeABitOfTheFirstCloth) {
@@ -59,14 +59,14 @@ TEST(Ghost, ofTheSameSolverHasTheSameMotion) {
 
 TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {
   Simulation simulation(smallGrid());
-  advance(simulation, 30);
+  takeSteps(simulation, 30);
   set(simulation, "ghost.substeps", 10);
   set(simulation, "ghost.solver", std::string("one_iteration"));
   Snapshot snapshot;
   simulation.capture(snapshot);
   ASSERT_TRUE(snapshot.ghost.has_value());
   EXPECT_EQ(snapshot.ghost->meanDistance, 0.0);
-  advance(simulation, 30);
+  takeSteps(simulation, 30);
   simulation.capture(snapshot);
   EXPECT_GT(snapshot.ghost->meanDistance, 1e-3);
   EXPECT_EQ(snapshot.ghost->meanDistance, sim::meanDistance(snapshot.positions, snapshot.ghost->positions));
@@ -87,11 +87,11 @@ TEST(Ghost, goesBackToTheStartWithTheFirstCloth) {
   Simulation simulation(smallGrid());
   set(simulation, "ghost.substeps", 10);
   set(simulation, "ghost.solver", std::string("one_iteration"));
-  advance(simulation, 30);
+  takeSteps(simulation, 30);
   const auto moved = sim::stateHash(simulation.ghost()->state());
   simulation.apply(ResetCommand{});
   EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), sim::stateHash(simulation.state()));
-  advance(simulation, 30);
+  takeSteps(simulation, 30);
   EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), moved);
 }
 
@@ -138,11 +138,11 @@ TEST(Ghost, isReplayed) {
   const auto scene = smallGrid();
   Simulation original(scene);
   set(original, "ghost.substeps", 5);
-  advance(original, 5);
+  takeSteps(original, 5);
   set(original, "ghost.solver", std::string("one_iteration"));
   use(original);
   set(original, "ghost.substeps", 2);
-  advance(original, 5);
+  takeSteps(original, 5);
   set(original, "gravity", 5.0);
 
   Simulation again(scene);

@@ -35,12 +35,12 @@ std::uint64_t hashAfter(Simulation& simulation, double seconds) {
   return sim::stateHash(simulation.state());
 }
 
-struct Case {
+struct Change {
   const char* scene;
   std::vector<std::string> changes;
 };
 
-class SavedScene : public ::testing::TestWithParam<Case> {};
+class SavedScene : public ::testing::TestWithParam<Change> {};
 
 TEST_P(SavedScene, MovesToTheSameBits) {
   const auto original = built(GetParam().scene, GetParam().changes);
@@ -54,11 +54,11 @@ TEST_P(SavedScene, MovesToTheSameBits) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, SavedScene,
-    ::testing::Values(Case{"grid", {"stiffness=77", "wind.x=2.5", "drag=0.3", "grid.resolution=9"}},
-                      Case{"flag", {"mass=0.2", "time_step=1/150"}},
-                      Case{"curtain", {"material.preset=denim", "fabric.shear=61", "grid.resolution=17"}},
-                      Case{"flag_on_pole", {"grid.resolution=13"}}, Case{"cape", {}},
-                      Case{"table_runner", {"grid.resolution=9"}}),
+    ::testing::Values(Change{"grid", {"stiffness=77", "wind.x=2.5", "drag=0.3", "grid.resolution=9"}},
+                      Change{"flag", {"mass=0.2", "time_step=1/150"}},
+                      Change{"curtain", {"material.preset=denim", "fabric.shear=61", "grid.resolution=17"}},
+                      Change{"flag_on_pole", {"grid.resolution=13"}}, Change{"cape", {}},
+                      Change{"table_runner", {"grid.resolution=9"}}),
     [](const auto& each) { return std::string(each.param.scene); });
 
 TEST(SavedSceneWithPins, StartsWithTheUsersPinsAndBodies) {

@@ -50,7 +50,7 @@ std::shared_ptr<const scene::Scene> built(const std::string& text = twoPieces) {
   return scene::buildScene(description, description.settings);
 }
 
-void take(Simulation& simulation, int steps) {
+void stepOn(Simulation& simulation, int steps) {
   for (int i = 0; i < steps; ++i) {
     simulation.step();
   }
@@ -65,21 +65,21 @@ void expectWelded(const Simulation& simulation) {
 
 TEST(Sewing, weldsTheSeamsAndLeavesNoIntersection) {
   Simulation simulation(built());
-  take(simulation, 60);
+  stepOn(simulation, 60);
   EXPECT_EQ(simulation.cloth().openSeams().size(), 2U);
-  take(simulation, 140);
+  stepOn(simulation, 140);
   expectWelded(simulation);
-  take(simulation, 150);
+  stepOn(simulation, 150);
   EXPECT_EQ(intersection::intersectingPairs({simulation.state().positions, simulation.model().triangles}).size(), 0U);
   EXPECT_TRUE(simulation.message().empty()) << simulation.message();
 }
 
 TEST(Sewing, showsThePiecesWithTheirOwnPins) {
   Simulation simulation(built());
-  take(simulation, 250);
+  stepOn(simulation, 250);
   expectWelded(simulation);
   simulation.apply(ObserveCommand{true});
-  take(simulation, 1);
+  stepOn(simulation, 1);
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_EQ(snapshot.model->pinned, snapshot.scene->model->pinned);
@@ -93,12 +93,12 @@ TEST(Sewing, showsThePiecesWithTheirOwnPins) {
 
 TEST(Sewing, beginsAgainAtAReset) {
   Simulation simulation(built());
-  take(simulation, 250);
+  stepOn(simulation, 250);
   const auto hash = sim::stateHash(simulation.state());
   simulation.apply(ResetCommand{});
   EXPECT_EQ(simulation.cloth().openSeams().size(), 2U);
   EXPECT_EQ(simulation.state().positions, simulation.scene().start.positions);
-  take(simulation, 250);
+  stepOn(simulation, 250);
   expectWelded(simulation);
   EXPECT_EQ(sim::stateHash(simulation.state()), hash);
 }
@@ -107,12 +107,12 @@ TEST(Sewing, continuesFromACheckpointToTheSameBits) {
   const auto scene = built();
   for (const int before : {40, 100, 220}) {
     Simulation whole(scene);
-    take(whole, before);
+    stepOn(whole, before);
     const std::string bytes = checkpointOf(whole);
-    take(whole, 60);
+    stepOn(whole, 60);
     Simulation resumed(scene);
     EXPECT_TRUE(continueFrom(bytes, resumed).empty());
-    take(resumed, 60);
+    stepOn(resumed, 60);
     EXPECT_EQ(sim::stateHash(resumed.state()), sim::stateHash(whole.state())) << before;
     EXPECT_EQ(resumed.cloth().openSeams().size(), whole.cloth().openSeams().size());
   }
@@ -122,34 +122,34 @@ TEST(Sewing, goesBackToTheTimeBeforeAWeld) {
   auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
   description.settings.timeline.memory = 100.0;
   Simulation simulation(scene::buildScene(description, description.settings));
-  take(simulation, 250);
+  stepOn(simulation, 250);
   simulation.apply(GoToCommand{0.1});
   EXPECT_EQ(simulation.cloth().openSeams().size(), 2U);
-  take(simulation, 250);
+  stepOn(simulation, 250);
   expectWelded(simulation);
 }
 
 TEST(Sewing, pinsAndReleasesAWeldedVertex) {
   Simulation simulation(built());
-  take(simulation, 250);
+  stepOn(simulation, 250);
   simulation.apply(SetPinsCommand{{0, 40}});
-  take(simulation, 50);
+  stepOn(simulation, 50);
   expectWelded(simulation);
   EXPECT_TRUE(simulation.model().pinned[40]);
   EXPECT_FALSE(simulation.model().pinned[8]);
   simulation.apply(SetPinsCommand{{81 + 8}});  // of the back, welded to vertex 0 of the front
   const Vec3 place = simulation.state().positions[0];
-  take(simulation, 50);
+  stepOn(simulation, 50);
   expectWelded(simulation);
   EXPECT_EQ(simulation.state().positions[0], place);
 }
 
 TEST(Sewing, keepsTheWeldsWhenTheFabricChanges) {
   Simulation simulation(built());
-  take(simulation, 250);
+  stepOn(simulation, 250);
   simulation.apply(SetSettingCommand{"material.preset", std::string("denim")});
   EXPECT_TRUE(simulation.message().empty()) << simulation.message();
-  take(simulation, 50);
+  stepOn(simulation, 50);
   expectWelded(simulation);
   EXPECT_GT(simulation.model().totalMass(), 1.5 * simulation.scene().model->totalMass());
 }
@@ -158,7 +158,7 @@ TEST(Sewing, weldsTheGhostAtItsOwnTime) {
   auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
   description.settings.ghost.solver = "auto";
   Simulation simulation(scene::buildScene(description, description.settings));
-  take(simulation, 250);
+  stepOn(simulation, 250);
   expectWelded(simulation);
   ASSERT_NE(simulation.ghost(), nullptr);
   for (const sim::Seam& seam : *simulation.scene().seams) {

@@ -121,4 +121,22 @@ inline std::shared_ptr<const ClothModel> pair(const std::vector<int>& pins) {
   return buildClothModel({{Vec3(0.0, 0.0, 0.0), Vec3(1.0, 0.0, 0.0)}, {{0, 1, 1}}}, 0.1, MassLumping::Uniform, pins);
 }
 
+/// Parameters with damping, drag, lift and wind.
+inline StepParameters dampedInWind() {
+  StepParameters p;
+  p.material.damping = 0.01;
+  p.air.drag = 0.6;
+  p.air.lift = 0.4;
+  p.air.wind = Vec3(1.0, 0.0, -2.0);
+  return p;
+}
+
+/// A pull at a point within triangle 9.
+/// @param maxForce the largest force [N]
+inline StepInputs attachmentWith(double maxForce) {
+  StepInputs inputs;
+  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
+  return inputs;
+}
+
 }  // namespace drape::sim::testing

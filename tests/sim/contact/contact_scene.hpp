@@ -69,6 +69,11 @@ class ContactScene {
   StepParameters parameters;
   ClothState state;
 
+  /// The number of intersecting pairs of the cloth's triangles, in exact arithmetic.
+  [[nodiscard]] std::size_t pairsWithItself() const {
+    return drape::intersection::intersectingPairs({state.positions, model_->triangles}).size();
+  }
+
  private:
   [[nodiscard]] const BodyShape& bodyShape(std::size_t body) const { return world_.bodies()[body].shape; }
   [[nodiscard]] std::vector<Vec3> surfaceAt(std::size_t body) const {

@@ -19,7 +19,7 @@ using testing::pinnedSheet;
 using testing::shaken;
 
 /// A sheet whose vertices were moved within its plane, with the mass of their areas.
-std::shared_ptr<const ClothModel> irregularSheet(int n) {
+std::shared_ptr<const ClothModel> sheetWithMassOfAreas(int n) {
   ClothMesh mesh = testing::sheet(n);
   testing::RandomVectors random(5);
   for (Vec3& position : mesh.positions) {
@@ -68,7 +68,7 @@ double largestEnergy(std::string_view solver, const ClothModel& model, const Ste
 }
 
 TEST(Verlet, isStableUpToTheDenseMatrixsLargestFrequencyAndNotBeyond) {
-  for (const auto& model : {pinnedSheet(9), irregularSheet(9)}) {
+  for (const auto& model : {pinnedSheet(9), sheetWithMassOfAreas(9)}) {
     StepParameters parameters;
     parameters.gravity = 0.0;
     parameters.material.stiffness = 10.0;
@@ -83,7 +83,7 @@ TEST(Verlet, isStableUpToTheDenseMatrixsLargestFrequencyAndNotBeyond) {
 }
 
 TEST(Verlet, estimatesItsLimitFromBelowAndNotFarBelow) {
-  for (const auto& model : {pinnedSheet(9), pinnedSheet(12), irregularSheet(9), irregularSheet(12)}) {
+  for (const auto& model : {pinnedSheet(9), pinnedSheet(12), sheetWithMassOfAreas(9), sheetWithMassOfAreas(12)}) {
     StepParameters parameters;
     const double exact = 2.0 / denseFrequency(*model, parameters.material.stiffness);
     const double estimate = findSolver("verlet")->stepLimit(*model, parameters);
@@ -272,7 +272,7 @@ TEST(ExplicitEuler, isStableUpToItsLimitWithDampingAndNotBeyond) {
 
 TEST(ExplicitEuler, isStableBelowItsLimitOnADampedSheet) {
   for (const double damping : {1e-3, 1e-2, 0.1}) {
-    const auto model = irregularSheet(9);
+    const auto model = sheetWithMassOfAreas(9);
     StepParameters parameters;
     parameters.gravity = 0.0;
     parameters.material.stiffness = 10.0;

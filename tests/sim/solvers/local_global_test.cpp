@@ -8,21 +8,6 @@ namespace {
 
 using namespace drape::sim::testing;
 
-StepParameters everything() {
-  StepParameters p;
-  p.material.damping = 0.01;
-  p.air.drag = 0.6;
-  p.air.lift = 0.4;
-  p.air.wind = Vec3(1.0, 0.0, -2.0);
-  return p;
-}
-
-StepInputs attachment(double maxForce) {
-  StepInputs inputs;
-  inputs.attachment = Attachment{{9, Vec3(0.5, 0.3, 0.2), Vec3(0.5, 0.4, 0.5)}, {50.0, maxForce}};
-  return inputs;
-}
-
 /// M (y - x_n), with the attachment's force.
 Rows inertiaTerm(const ClothModel& model, const StepParameters& p, const DenseAttachment& pull,
                  const ClothState& state) {
@@ -103,8 +88,8 @@ Rows newton(const ClothModel& model, const StepParameters& p, const StepInputs& 
 TEST(LocalGlobal, equalsTheAlternationAsPrintedWithDenseMatrices) {
   for (const std::vector<int>& pins : {std::vector<int>{0, 4}, std::vector<int>{}}) {
     const auto model = unevenSheet(5, pins);
-    for (const StepInputs& inputs : {StepInputs{}, attachment(5.0), attachment(0.05)}) {
-      StepParameters p = everything();
+    for (const StepInputs& inputs : {StepInputs{}, attachmentWith(5.0), attachmentWith(0.05)}) {
+      StepParameters p = dampedInWind();
       p.iteration.iterations = 4;
       ClothState state = shaken(*model, 0.03, 7);
       const Rows x = rowsOf(state.positions);
@@ -117,8 +102,8 @@ TEST(LocalGlobal, equalsTheAlternationAsPrintedWithDenseMatrices) {
 
 TEST(LocalGlobal, endsWhereNewtonFindsTheBackwardEulerStep) {
   const auto model = unevenSheet(5, {0, 4});
-  for (const StepInputs& inputs : {StepInputs{}, attachment(5.0)}) {
-    StepParameters p = everything();
+  for (const StepInputs& inputs : {StepInputs{}, attachmentWith(5.0)}) {
+    StepParameters p = dampedInWind();
     p.iteration.iterations = 3000;
     ClothState state = shaken(*model, 0.01, 7);
     const Rows expected = newton(*model, p, inputs, state);
@@ -129,7 +114,7 @@ TEST(LocalGlobal, endsWhereNewtonFindsTheBackwardEulerStep) {
 
 TEST(LocalGlobal, comesCloserToTheBackwardEulerStepWithEveryIteration) {
   const auto model = unevenSheet(5, {0, 4});
-  StepParameters p = everything();
+  StepParameters p = dampedInWind();
   p.material.stiffness = 1000.0;
   const ClothState start = shaken(*model, 0.01, 7);
   const Rows exact = newton(*model, p, {}, start);
@@ -147,13 +132,13 @@ TEST(LocalGlobal, comesCloserToTheBackwardEulerStepWithEveryIteration) {
 
 TEST(LocalGlobal, forgetsAReleasedAttachmentAndFollowsOneAtAnotherTriangle) {
   const auto model = unevenSheet(5, {0, 4});
-  const StepParameters p = everything();
+  const StepParameters p = dampedInWind();
   ClothState fresh = shaken(*model, 0.03, 7);
   ClothState kept = fresh;
   const auto solver = findSolver("local_global")->make();
-  StepInputs elsewhere = attachment(5.0);
+  StepInputs elsewhere = attachmentWith(5.0);
   elsewhere.attachment->triangle = 20;
-  for (const StepInputs& inputs : {attachment(5.0), elsewhere, StepInputs{}, attachment(5.0)}) {
+  for (const StepInputs& inputs : {attachmentWith(5.0), elsewhere, StepInputs{}, attachmentWith(5.0)}) {
     solver->step(*model, p, inputs, kept);
     findSolver("local_global")->make()->step(*model, p, inputs, fresh);
     EXPECT_EQ(stateHash(kept), stateHash(fresh));

@@ -18,7 +18,7 @@ using testing::hangingChain;
 using testing::pinnedSheet;
 using testing::shaken;
 
-double largestDifference(const ClothState& a, const ClothState& b) {
+double largestDistance(const ClothState& a, const ClothState& b) {
   double largest = 0.0;
   for (std::size_t v = 0; v < a.positions.size(); ++v) {
     largest = std::max(largest, (a.positions[v] - b.positions[v]).norm());
@@ -34,7 +34,7 @@ double distanceFromBackwardEuler(std::string_view solver, const StepParameters& 
   ClothState exact = state;
   findSolver(solver)->make()->step(*model, parameters, inputs, state);
   denseBackwardEulerStep(*model, parameters, inputs, exact);
-  return largestDifference(state, exact);
+  return largestDistance(state, exact);
 }
 
 StepInputs pullingAttachment() {
@@ -138,7 +138,7 @@ TEST(Xpbd, convergesToTheBackwardEulerStepWhereSpringsDoNotTurn) {
     solver->step(*model, parameters, {}, state);
     denseBackwardEulerStep(*model, parameters, {}, exact);
   }
-  EXPECT_LT(largestDifference(state, exact), 1e-12);
+  EXPECT_LT(largestDistance(state, exact), 1e-12);
   EXPECT_GT(std::abs(state.positions[4].y() - model->restPositions[4].y()), 1e-3);
 }
 

@@ -21,8 +21,8 @@ MeshShape hills() {
 }
 
 /// All leaves of a mesh's tree.
-struct Leaves {
-  explicit Leaves(const SearchableMesh& mesh) {
+struct LeavesOfMesh {
+  explicit LeavesOfMesh(const SearchableMesh& mesh) {
     for (std::size_t leaf = 0; leaf < mesh.tree.leafCount(); ++leaf) {
       leaves.push_back(static_cast<int>(leaf));
       boxes.add(mesh.tree.leafBox(leaf));
@@ -43,7 +43,7 @@ void expectSame(const NearestMeshPoint& a, const NearestMeshPoint& b) {
 TEST(NearestSearch, findsTheSameBitsFromTheCacheAsByANewSearch) {
   const SearchableMesh mesh(hills());
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
-  const Leaves all(mesh);
+  const LeavesOfMesh all(mesh);
   constexpr double radius = 0.05;  // [m]
   constexpr double within = 0.004;
   NearestSearch search(inStep);
@@ -77,7 +77,7 @@ TEST(NearestSearch, findsTheSameBitsInTheWholeMeshAsInItsLeaves) {
                shape.triangles.end());  // so that the tree does not start with the first triangles
   const SearchableMesh mesh(std::move(shape));
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
-  const Leaves all(mesh);
+  const LeavesOfMesh all(mesh);
   NearestSearch search(inStep);
   testing::RandomVectors random(4);
   for (int i = 0; i < 2000; ++i) {
@@ -91,7 +91,7 @@ TEST(NearestSearch, findsTheSameBitsInTheWholeMeshAsInItsLeaves) {
 TEST(NearestSearch, cachesALowerBoundWhereNothingIsNear) {
   const SearchableMesh mesh(hills());
   const MeshInStep inStep{mesh, mesh.shape.positions, mesh.shape.positions, false};
-  const Leaves all(mesh);
+  const LeavesOfMesh all(mesh);
   NearestSearch search(inStep);
   const Vec3 far(0.5, 1.0, 0.5);
   EXPECT_LT(search.among(all.leaves, all.boxes, far, 0.1).triangle, 0);

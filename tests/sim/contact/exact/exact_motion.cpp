@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace drape::sim::contact::testing {
+namespace drape::sim::testing {
 namespace {
 
 using Real = long double;
@@ -129,4 +129,4 @@ bool provablyStaysApart(const PairMotion& motion) {
   return isProvedFor(motion, 0.0, 1.0, 0, intervals);
 }
 
-}  // namespace drape::sim::contact::testing
+}  // namespace drape::sim::testing

@@ -4,7 +4,7 @@
 
 #include <array>
 
-namespace drape::sim::contact::testing {
+namespace drape::sim::testing {
 
 /// Two features, a vertex and a triangle or two edges, whose four vertices move on straight lines during the times 0
 /// to 1. The vertices are in the order of PairVertices.
@@ -22,4 +22,4 @@ struct PairMotion {
 /// @returns false if the pair meets, or if no proof with intervals of at least 2^-48 was found
 [[nodiscard]] bool provablyStaysApart(const PairMotion& motion);
 
-}  // namespace drape::sim::contact::testing
+}  // namespace drape::sim::testing

@@ -1,5 +1,4 @@
 #include "contact/contact_scene.hpp"
-#include "intersection/intersections.hpp"
 #include "sim/forces/diagnostics.hpp"
 
 #include <gtest/gtest.h>
@@ -13,10 +12,6 @@ namespace drape::sim::contact {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-std::size_t pairsWithItself(const testing::ContactScene& scene) {
-  return intersection::intersectingPairs({scene.state.positions, scene.model().triangles}).size();
-}
 
 /// Adds a sheet, and returns the index of its first vertex.
 int addSheet(int n, double size, const Vec3& middle, const Eigen::Quaterniond& turn, ClothMesh& mesh) {
@@ -73,7 +68,7 @@ TEST_P(ExactFrictionWithSolver, holdsClothOnClothBelowTheFrictionAngle) {
   const Vec3 start = meanOfPatch(scene.state.positions);
   scene.run(1.0);
   EXPECT_LT((meanOfPatch(scene.state.positions) - start).norm(), 1e-3);
-  EXPECT_EQ(pairsWithItself(scene), 0U);
+  EXPECT_EQ(scene.pairsWithItself(), 0U);
 }
 
 TEST_P(ExactFrictionWithSolver, letsClothSlideOnClothWithTheAccelerationThatFrictionLeaves) {
@@ -83,7 +78,7 @@ TEST_P(ExactFrictionWithSolver, letsClothSlideOnClothWithTheAccelerationThatFric
   const Vec3 down(std::cos(slope), -std::sin(slope), 0.0);
   const double expected = 9.81 * (std::sin(slope) - 0.4 * std::cos(slope)) * 0.4;
   EXPECT_NEAR(meanOfPatch(scene.state.velocities).dot(down), expected, 0.03 * expected);
-  EXPECT_EQ(pairsWithItself(scene), 0U);
+  EXPECT_EQ(scene.pairsWithItself(), 0U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, ExactFrictionWithSolver, ::testing::Values("auto", "verlet"),
@@ -151,7 +146,7 @@ TEST(ExactSelfContact, neverAddsEnergyWhenFiveLayersFallOnEachOther) {
   scene.parameters.material.damping = 0.01;
   scene.parameters.timeStep = 1.0 / 300.0;
   EXPECT_LT(largestGainByContact(scene, 0.5), 0.0005);  // [J]; the fall releases 0.05 J
-  EXPECT_EQ(pairsWithItself(scene), 0U);
+  EXPECT_EQ(scene.pairsWithItself(), 0U);
 }
 
 TEST(ExactSelfContact, countsCrossingsInALaterContactSubstepAndRecoversOnceThereIsRoom) {
@@ -180,10 +175,10 @@ TEST(ExactSelfContact, countsCrossingsInALaterContactSubstepAndRecoversOnceThere
   const StepReport entering = scene.step();
   EXPECT_EQ(scene.stepper().contactSubsteps(), 5);
   EXPECT_GT(entering.contact.crossings, 0);
-  EXPECT_GT(pairsWithItself(scene), 0U);
+  EXPECT_GT(scene.pairsWithItself(), 0U);
   EXPECT_FALSE(scene.state.hasNoSelfIntersection);
   scene.run(0.6);
-  EXPECT_EQ(pairsWithItself(scene), 0U);
+  EXPECT_EQ(scene.pairsWithItself(), 0U);
   EXPECT_TRUE(scene.state.hasNoSelfIntersection);
   EXPECT_EQ(scene.step().contact.crossings, 0);
 }
@@ -229,7 +224,7 @@ TEST(ExactSelfContact, comesToRestInLayersOnABody) {
   }
   EXPECT_TRUE(report.choice && report.choice->sleeping);
   EXPECT_GT(report.contact.selfContacts, 10);
-  EXPECT_EQ(pairsWithItself(scene), 0U);
+  EXPECT_EQ(scene.pairsWithItself(), 0U);
 }
 
 }  // namespace

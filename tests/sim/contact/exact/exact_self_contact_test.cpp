@@ -1,7 +1,6 @@
 #include "sim/contact/exact/exact_self_contact.hpp"
 
 #include "contact/contact_scene.hpp"
-#include "intersection/intersections.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "test_meshes.hpp"
 
@@ -14,10 +13,6 @@
 
 namespace drape::sim::contact {
 namespace {
-
-std::size_t pairsWithItself(const testing::ContactScene& scene) {
-  return intersection::intersectingPairs({scene.state.positions, scene.model().triangles}).size();
-}
 
 /// A sheet that falls on its edge and folds.
 testing::ContactScene sheetOnItsEdge(const std::string& solver, int n, double timeStep, double stiffness) {
@@ -56,7 +51,7 @@ TEST_P(ExactSelfContactWithSolver, letsNoTrianglesIntersectWhenASheetFallsOnItsE
   std::size_t pairs = 0;
   scene.run(0.8, [&](const StepReport& report) {
     contacts = std::max(contacts, report.contact.selfContacts);
-    pairs = std::max(pairs, pairsWithItself(scene));
+    pairs = std::max(pairs, scene.pairsWithItself());
     EXPECT_EQ(report.contact.crossings, 0);
   });
   EXPECT_GT(contacts, 3);
@@ -68,7 +63,7 @@ TEST_P(ExactSelfContactWithSolver, letsNoTrianglesIntersectWhenHalvesMeetAtHighS
     testing::ContactScene scene = closingBook(GetParam(), speed, 1.0 / 60.0);
     for (int i = 0; i < 20; ++i) {
       scene.step();
-      ASSERT_EQ(pairsWithItself(scene), 0U) << speed << " m/s, step " << i;
+      ASSERT_EQ(scene.pairsWithItself(), 0U) << speed << " m/s, step " << i;
     }
   }
 }
@@ -81,7 +76,7 @@ TEST(ExactSelfContact, letsNoTrianglesIntersectInSoftAndStiffClothAtLargeSteps) 
   for (const double stiffness : {10.0, 1e5}) {
     testing::ContactScene scene = sheetOnItsEdge("one_iteration", 17, 1.0 / 60.0, stiffness);
     std::size_t pairs = 0;
-    scene.run(0.8, [&](const StepReport&) { pairs = std::max(pairs, pairsWithItself(scene)); });
+    scene.run(0.8, [&](const StepReport&) { pairs = std::max(pairs, scene.pairsWithItself()); });
     EXPECT_EQ(pairs, 0U) << stiffness;
   }
 }
@@ -149,7 +144,7 @@ TEST(ExactSelfContact, movesOnWithAStartThatIntersects) {
     scene.state.positions[v].x() -=
         scene.state.positions[v].z() > 0.1 && scene.state.positions[v].x() > 0.02 ? 0.12 : 0;
   }
-  ASSERT_GT(pairsWithItself(scene), 0U);
+  ASSERT_GT(scene.pairsWithItself(), 0U);
   scene.parameters.gravity = 9.81;
   const double start = energyOf(scene.model(), scene.parameters, scene.state).total();
   const double height = scene.state.positions[0].y();

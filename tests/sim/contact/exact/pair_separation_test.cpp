@@ -19,8 +19,8 @@ namespace {
 using testing::PairMotion;
 using testing::provablyStaysApart;
 
-constexpr double thickness = 0.001;  // the smallest that can be set [m]
-constexpr double goalDistance = 0.1 * thickness;
+constexpr double smallestThickness = 0.001;  // the smallest that can be set [m]
+constexpr double goalDistance = 0.1 * smallestThickness;
 
 /// Random numbers for pairs.
 class Source {
