@@ -1,23 +1,21 @@
 #include "sim/adaptive/contact_impulses.hpp"
 
+#include "sim/model/disjoint_sets.hpp"
 #include "sim/simd/lane_vector.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <iterator>
 
 namespace drape::sim::adaptive {
 namespace {
 
-/// Maximum number of sweeps over coupled contacts in a substep, and relative change of an impulse that counts as
-/// converged.
-constexpr int maxSweeps = 6;
-constexpr double converged = 0.01;
+/// Relative change of an impulse that counts as converged. Friction that has not converged acts like a viscous force:
+/// cloth would creep and never come to rest.
+constexpr double converged = 0.001;
 
-/// The same for slow cloth in contact with itself. Friction that has not converged acts like a viscous force: layers on
-/// each other would creep and never come to rest.
+/// Maximum number of sweeps over the contacts of an island in a substep. Slow layers on each other need more.
+constexpr int maxSweeps = 6;
 constexpr int maxSweepsOfSlow = 60;
-constexpr double convergedOfSlow = 0.001;
 constexpr double slowSpeed = 0.1;  // [m/s]
 
 }  // namespace
@@ -28,7 +26,7 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
   single_.clear();
   coupled_.clear();
   coupledVertices_.clear();
-  hasFeaturePairs_ = false;
+  islands_.clear();
   if (inputs.contacts == nullptr) {
     return;
   }
@@ -52,15 +50,15 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
   for (std::size_t i = 0; i < inputs.contacts->size(); ++i) {
     addContact((*inputs.contacts)[i], i, inputs.frameVelocity, cloth);
   }
-  const auto& contacts = *inputs.contacts;
-  hasFeaturePairs_ = std::any_of(contacts.begin(), contacts.end(), std::mem_fn(&SubstepContact::isFeaturePair));
   separateCoupled();
+  findIslands();
 }
 
 template <typename T>
 void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
                                     const simd::SlicedCloth<T>& cloth) {
   Contact contact{.source = source,
+                  .isFeaturePair = from.isFeaturePair,
                   .normal = from.normal,
                   .height = 0.0,
                   .restGap = from.restGap,
@@ -99,13 +97,57 @@ void ContactImpulses<T>::separateCoupled() {
   std::ranges::copy_if(coupled_, std::back_inserter(single_), isSingle);
   std::erase_if(coupled_, isSingle);
   std::ranges::sort(single_, {}, [](const Contact& contact) { return contact.vertices[0]; });
-  for (const Contact& contact : coupled_) {
-    for (std::size_t c = 0; c < contact.count; ++c) {
-      coupledVertices_.push_back(contact.vertices[c]);
+}
+
+/// A vertex of a contact that is not pinned. Every contact has one.
+template <typename T>
+std::size_t ContactImpulses<T>::freeVertexOf(const Contact& contact) const {
+  return *std::ranges::find_if(contact.vertices, [&](std::size_t v) { return vertices_[v].inverseMass > 0.0; });
+}
+
+/// The island of each vertex, by its lowest vertex; -1 without coupled contacts. Pinned vertices do not couple
+/// contacts, since their velocities are given.
+template <typename T>
+std::vector<int> ContactImpulses<T>::islandOfVertices() const {
+  DisjointSets sets(vertices_.size());
+  std::vector<int> islands(vertices_.size(), -1);
+  const auto forFreeVertices = [&](const auto& visit) {
+    for (const Contact& contact : coupled_) {
+      for (std::size_t c = 0; c < contact.count; ++c) {
+        if (vertices_[contact.vertices[c]].inverseMass > 0.0) {
+          visit(contact, contact.vertices[c]);
+        }
+      }
+    }
+  };
+  forFreeVertices([&](const Contact& contact, std::size_t v) {
+    sets.join(static_cast<int>(freeVertexOf(contact)), static_cast<int>(v));
+  });
+  forFreeVertices([&](const Contact&, std::size_t v) { islands[v] = sets.root(static_cast<int>(v)); });
+  return islands;
+}
+
+/// Sorts the coupled contacts and their free vertices by island.
+template <typename T>
+void ContactImpulses<T>::findIslands() {
+  const std::vector<int> islands = islandOfVertices();
+  const auto ofVertex = [&](std::size_t v) { return islands[v]; };
+  const auto ofContact = [&](const Contact& contact) { return islands[freeVertexOf(contact)]; };
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    if (islands[v] >= 0) {
+      coupledVertices_.push_back(v);
     }
   }
-  std::ranges::sort(coupledVertices_);
-  coupledVertices_.erase(std::unique(coupledVertices_.begin(), coupledVertices_.end()), coupledVertices_.end());
+  std::ranges::stable_sort(coupledVertices_, {}, ofVertex);
+  std::ranges::stable_sort(coupled_, {}, ofContact);
+  for (auto first = coupled_.begin(); first != coupled_.end();) {
+    const int island = ofContact(*first);
+    const auto last = std::ranges::upper_bound(first, coupled_.end(), island, {}, ofContact);
+    const auto vertices = std::ranges::equal_range(coupledVertices_, island, {}, ofVertex);
+    const bool hasFeaturePairs = std::any_of(first, last, [](const Contact& each) { return each.isFeaturePair; });
+    islands_.push_back({{first, last}, {vertices.begin(), vertices.end()}, hasFeaturePairs});
+    first = last;
+  }
 }
 
 template <typename T>
@@ -147,30 +189,40 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
 
 template <typename T>
 void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift) {
-  for (Contact& contact : coupled_) {
-    contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
+  for (const Island& island : islands_) {
+    for (Contact& contact : island.contacts) {
+      contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
+    }
+    solveIsland(island);
+    for (const std::size_t v : island.vertices) {
+      write(vertices_[v], drift, cloth);
+    }
   }
-  for (const Contact& contact : coupled_) {
+}
+
+template <typename T>
+bool ContactImpulses<T>::isSlow(const Island& island) const {
+  return std::ranges::all_of(island.vertices,
+                             [&](std::size_t v) { return vertices_[v].before.squaredNorm() < slowSpeed * slowSpeed; });
+}
+
+template <typename T>
+void ContactImpulses<T>::solveIsland(const Island& island) {
+  for (const Contact& contact : island.contacts) {
     if (contact.normalImpulse > 0.0) {
       apply(contact.normalImpulse * contact.normal + contact.friction, contact);
     }
   }
-  const bool isSlow = hasFeaturePairs_ && std::ranges::all_of(coupledVertices_, [&](std::size_t v) {
-                        return vertices_[v].before.squaredNorm() < slowSpeed * slowSpeed;
-                      });
-  converged_ = isSlow ? convergedOfSlow : converged;
+  const int sweeps = island.hasFeaturePairs && isSlow(island) ? maxSweepsOfSlow : maxSweeps;
   bool changes = true;
-  for (int sweep = 0; sweep < (isSlow ? maxSweepsOfSlow : maxSweeps) && changes; ++sweep) {
+  for (int sweep = 0; sweep < sweeps && changes; ++sweep) {
     changes = false;
-    for (Contact& contact : coupled_) {
+    for (Contact& contact : island.contacts) {
       changes = solve(contact) || changes;
     }
   }
-  for (Contact& contact : coupled_) {
+  for (Contact& contact : island.contacts) {
     contact.impulse += contact.normalImpulse * contact.normal + contact.friction;
-  }
-  for (const std::size_t v : coupledVertices_) {
-    write(vertices_[v], drift, cloth);
   }
 }
 
@@ -211,7 +263,7 @@ bool ContactImpulses<T>::solve(Contact& contact) {
   apply(change, contact);
   contact.normalImpulse = normal;
   contact.friction = friction;
-  return change.squaredNorm() > converged_ * converged_ * normal * normal;
+  return change.squaredNorm() > converged * converged * normal * normal;
 }
 
 template <typename T>

@@ -17,9 +17,10 @@ namespace drape::sim::adaptive {
 /// the change of velocity times the drift, as if the impulse had acted before the drift. A point that rests on the
 /// surface only loses its approach velocity: a correction of its height would turn rounding into velocity.
 ///
-/// A contact that shares no vertex with another one has an exact solution. All others are solved together by projected
-/// Gauss-Seidel sweeps. They start with the impulses of the substep before, so that few sweeps suffice. Slow cloth in
-/// contact with itself gets more, so that it comes to rest.
+/// A contact that shares no vertex with another one has an exact solution. All others form islands, which share no
+/// vertex with each other. Projected Gauss-Seidel sweeps solve the contacts of an island together, until they have
+/// converged. They start with the impulses of the substep before, so that few sweeps suffice. An island of slow cloth
+/// in contact with itself gets more, so that it comes to rest.
 template <typename T>
 class ContactImpulses {
  public:
@@ -62,6 +63,7 @@ class ContactImpulses {
     std::array<std::size_t, 4> vertices{};  // indices into vertices_
     std::array<double, 4> weights{};        // [-]
     std::size_t source = 0;                 // index into the contacts of the inputs
+    bool isFeaturePair = false;             // of the cloth with itself
     Vec3 normal = Vec3::UnitY();
     double height = 0.0;               // at the start of the step [m]
     double restGap = 0.0;              // [m]
@@ -76,9 +78,21 @@ class ContactImpulses {
     Vec3 impulse = Vec3::Zero();       // so far [N s]
   };
 
+  /// Contacts that share vertices, and the vertices.
+  struct Island {
+    std::span<Contact> contacts;
+    std::span<const std::size_t> vertices;  // the free ones
+    bool hasFeaturePairs = false;
+  };
+
   void addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
                   const simd::SlicedCloth<T>& cloth);
   void separateCoupled();
+  [[nodiscard]] std::size_t freeVertexOf(const Contact& contact) const;
+  [[nodiscard]] std::vector<int> islandOfVertices() const;
+  void findIslands();
+  [[nodiscard]] bool isSlow(const Island& island) const;
+  void solveIsland(const Island& island);
   [[nodiscard]] double minSpeedOf(const simd::SlicedCloth<T>& cloth, double time, double drift,
                                   const Contact& contact) const;
   bool solve(Contact& contact);
@@ -88,12 +102,11 @@ class ContactImpulses {
 
   std::vector<Vertex> vertices_;  // by permuted index
   std::vector<Contact> single_;   // of one vertex that has no other contact, by permuted index of the vertex
-  std::vector<Contact> coupled_;
-  std::vector<std::size_t> coupledVertices_;  // indices into vertices_
-  std::vector<int> contactCount_;             // of each vertex
-  std::vector<std::size_t> slots_;            // by permuted index: index into vertices_
-  bool hasFeaturePairs_ = false;
-  double converged_ = 0.0;  // relative change of an impulse that counts as converged [-]
+  std::vector<Contact> coupled_;  // by island
+  std::vector<std::size_t> coupledVertices_;  // indices into vertices_, by island
+  std::vector<Island> islands_;
+  std::vector<int> contactCount_;   // of each vertex
+  std::vector<std::size_t> slots_;  // by permuted index: index into vertices_
 };
 
 }  // namespace drape::sim::adaptive

@@ -151,6 +151,28 @@ TEST_F(ContactImpulsesTest, satisfyTwoContactsOfOneVertexTogether) {
   EXPECT_TRUE(state_.velocities[4].isZero(1e-9));  // a vertex in a groove
 }
 
+TEST_F(ContactImpulsesTest, doNotDependOnContactsThatShareNoVertexWithThem) {
+  const auto inGroove = [&](int vertex, double steepness) {
+    for (const double side : {1.0, -1.0}) {
+      SubstepContact contact = onGround(vertex);
+      contact.normal = Vec3(side, steepness, 0.0).normalized();
+      contact.height = contact.normal.dot(model_->restPositions[vertex]);
+      contacts_.push_back(contact);
+    }
+  };
+  inGroove(0, 1.5);
+  take(Vec3(0.2, -1.0, 0.1), 0.0);
+  const Vec3 alone = state_.velocities[0];
+  EXPECT_GT(alone.norm(), 0.0);
+  inGroove(4, 0.4);  // the narrower groove needs more sweeps
+  take(Vec3(0.2, -1.0, 0.1), 0.0);
+  EXPECT_EQ(state_.velocities[0], alone);
+  contacts_.insert(contacts_.begin(), contacts_[3]);
+  contacts_[0].vertices[0] = 4;
+  take(Vec3(0.2, -1.0, 0.1), 0.0);
+  EXPECT_EQ(state_.velocities[0], alone);
+}
+
 TEST_F(ContactImpulsesTest, doNothingToPinnedVertices) {
   contacts_ = {onGround(8)};
   take(Vec3(0.0, -1.0, 0.0), 0.0);
