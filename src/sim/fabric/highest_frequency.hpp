@@ -9,7 +9,7 @@
 namespace drape::sim::fabric {
 
 /// The square of the highest angular frequency of a free fabric at rest [1/s^2], by power iteration from below: on
-/// garments the frequency is at most 3 % too low (tests/sim/fabric/highest_frequency_test.cpp). The cost is that of
+/// garments the frequency is at most 3 % too low (tests/sim/fabric/frequency_test.cpp). The cost is that of
 /// some dozens of force evaluations.
 /// @param membrane the second derivative of each triangle's energy at rest [N/m]
 /// @param bending without rows if the fabric does not resist bending [N/m]

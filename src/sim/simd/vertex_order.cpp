@@ -1,10 +1,13 @@
 #include "sim/simd/vertex_order.hpp"
 
+#include "sim/fabric/fabric.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
 #include <span>
+#include <utility>
 
 namespace drape::sim::simd {
 namespace {
@@ -60,12 +63,19 @@ std::vector<int> cuthillMcKee(const ClothModel& model) {
   return order;
 }
 
-void sortWindowsByDegree(const ClothModel& model, std::vector<int>& order) {
+/// What determines the work of a vertex: the number of its springs, and that of the vertices that bending connects it
+/// with.
+std::pair<std::size_t, Eigen::Index> workOf(const ClothModel& model, int vertex) {
+  const bool bends = model.fabric && model.fabric->bends();
+  return {degreeOf(model, vertex), bends ? model.fabric->bending.row(vertex).nonZeros() : 0};
+}
+
+void sortWindowsByWork(const ClothModel& model, std::vector<int>& order) {
   for (std::size_t begin = 0; begin < order.size(); begin += window) {
     const std::size_t end = std::min(order.size(), begin + window);
     std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(begin),
                      order.begin() + static_cast<std::ptrdiff_t>(end),
-                     [&](int a, int b) { return degreeOf(model, a) < degreeOf(model, b); });
+                     [&](int a, int b) { return workOf(model, a) < workOf(model, b); });
   }
 }
 
@@ -92,7 +102,7 @@ std::vector<int> stepOrder(const ClothModel& model) {
     return own;
   }
   std::vector<int> order = cuthillMcKee(model);
-  sortWindowsByDegree(model, order);
+  sortWindowsByWork(model, order);
   return order;
 }
 
