@@ -181,5 +181,21 @@ TEST_F(FieldPanels, TheTimelineGoesToTheTimeUnderTheMouse) {
   EXPECT_NEAR(times.back(), begin + 0.5 * (end - begin), 0.01 * (end - begin));
 }
 
+TEST_F(FieldPanels, TheTimelineStaysAboveALongMessage) {
+  simulation_.apply(session::SetSettingCommand{"timeline.memory", 100.0});
+  for (int i = 0; i < 10; ++i) {
+    simulation_.step();
+  }
+  for (int line = 0; line < 4; ++line) {
+    stats_.notice += "A message of several lines, which the status line shows above its usual place in the window.\n";
+  }
+  fieldFrame();
+  fieldFrame();
+  ASSERT_TRUE(shows("timeline"));
+  ASSERT_TRUE(shows("overlay.status"));
+  const UiRect line = button("timeline");
+  EXPECT_LT(line.y + line.height, button("overlay.status").y);
+}
+
 }  // namespace
 }  // namespace drape::ui
