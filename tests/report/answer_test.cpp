@@ -86,6 +86,16 @@ TEST(Answer, comesFirstAndHasAFieldForEachKindAndBudget) {
   EXPECT_EQ(table.rows[4][1], "not measured");
 }
 
+TEST(Answer, hasNoTableOfMethodsWhereNoneWasMeasured) {
+  SectionRows all;
+  const ReportRow row{
+      {"precision", "float"}, {"resolution", 17}, {"springs", 800}, {"update_ms", 0.1}, {"self_collision_ms", 0.1}};
+  all["table1"].push_back(row);
+  const auto blocks = answerSection().show({}, answerSection().derive(all));
+  ASSERT_EQ(blocks.size(), 1U);
+  EXPECT_EQ(std::get<TextTable>(blocks[0]).header[0], "claim");
+}
+
 TEST(Answer, isMissingWhereNothingThatItNeedsWasMeasured) {
   EXPECT_TRUE(answerSection().derive({}).empty());
 }

@@ -122,6 +122,15 @@ std::string fieldOf(const ReportRow& row) {
          errorText({{"error_mean", row["error"]}}, numberIn(row, "error_floor"));
 }
 
+/// Whether the methods for a kind of cloth were measured.
+bool hasMethods(const ReportRow& row) {
+  return row.value("question", "") == "method" && !row["cloth"].is_null();
+}
+
+bool isTestedClaim(const ReportRow& row) {
+  return row.value("question", "") == "claim" && row.value("verdict", "") != notMeasured;
+}
+
 TextTable methodTable(const ReportRows& rows) {
   TextTable table{"The method to take: its settings, its cost per frame, and its error", {"cloth"}, {}};
   for (const double budget : frameBudgets()) {
@@ -154,14 +163,19 @@ TextTable claimTable(const ReportRows& rows) {
 }
 
 std::vector<Block> show(const ReportOptions&, const ReportRows& rows) {
-  if (rows.empty()) {
-    return {};
+  std::vector<Block> blocks;
+  if (std::ranges::any_of(rows, hasMethods)) {
+    blocks.emplace_back(methodTable(rows));
+    blocks.emplace_back(
+        Paragraph{"Of all settings that this run measured, the one with the smallest error within the budget. The "
+                  "error is the mean distance of the vertices from the converged motion at the time in the first "
+                  "column; \"less than\" marks the distance below which errors cannot be told apart. A frame is 1/60 "
+                  "s; costs are of one thread, with contact on the body and without it elsewhere."});
   }
-  return {methodTable(rows), claimTable(rows),
-          Paragraph{"Of all settings that this run measured, the one with the smallest error within the budget. The "
-                    "error is the mean distance of the vertices from the converged motion at the time in the first "
-                    "column; \"less than\" marks the distance below which errors cannot be told apart. A frame is 1/60 "
-                    "s; costs are of one thread, with contact on the body and without it elsewhere."}};
+  if (std::ranges::any_of(rows, isTestedClaim)) {
+    blocks.emplace_back(claimTable(rows));
+  }
+  return blocks;
 }
 
 }  // namespace
