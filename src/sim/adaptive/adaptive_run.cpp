@@ -233,9 +233,7 @@ void AdaptiveRun<T>::resolveContacts(double time, double drift, bool isLast, con
   contacts_.applySingle(*cloth_, time, drift, share);
   team_.arriveAndWait();
   if (contacts_.anyCoupled()) {
-    if (share.member == 0) {
-      contacts_.applyCoupled(*cloth_, time, drift);
-    }
+    contacts_.applyCoupled(*cloth_, time, drift, share);
     team_.arriveAndWait();
   }
   contacts_.addWork(share);

@@ -158,6 +158,14 @@ std::span<typename ContactImpulses<T>::Vertex> ContactImpulses<T>::verticesOf(co
 }
 
 template <typename T>
+std::span<const typename ContactImpulses<T>::Island> ContactImpulses<T>::islandsOf(const simd::StepShare& share) const {
+  const auto firstVertex = [&](const Island& island) { return vertices_[island.vertices.front()].index; };
+  const auto first = std::ranges::lower_bound(islands_, share.begin * simd::sliceLanes, {}, firstVertex);
+  const auto last = std::ranges::lower_bound(islands_, share.end * simd::sliceLanes, {}, firstVertex);
+  return {first, last};
+}
+
+template <typename T>
 void ContactImpulses<T>::start(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share) {
   for (Vertex& vertex : verticesOf(share)) {
     vertex.before = simd::laneVector(cloth.velocity, vertex.index);
@@ -188,8 +196,9 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
 }
 
 template <typename T>
-void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift) {
-  for (const Island& island : islands_) {
+void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift,
+                                      const simd::StepShare& share) {
+  for (const Island& island : islandsOf(share)) {
     for (Contact& contact : island.contacts) {
       contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
     }
@@ -270,7 +279,9 @@ template <typename T>
 void ContactImpulses<T>::apply(const Vec3& impulse, const Contact& contact) {
   for (std::size_t c = 0; c < contact.count; ++c) {
     Vertex& vertex = vertices_[contact.vertices[c]];
-    vertex.velocity += contact.weights[c] * vertex.inverseMass * impulse;
+    if (vertex.inverseMass > 0.0) {  // islands of other threads may read pinned vertices
+      vertex.velocity += contact.weights[c] * vertex.inverseMass * impulse;
+    }
   }
 }
 

@@ -36,8 +36,8 @@ class ContactImpulses {
   /// The three stages after a kick and a drift. All threads wait for each other before each of them.
   /// @param time from the start of the step to the end of the drift [s]  @param drift time of the drift [s]
   void applySingle(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
-  /// For one thread alone.
-  void applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift);
+  /// An island belongs to the thread of its first vertex.
+  void applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
   void addWork(const simd::StepShare& share);
 
   /// Work of all impulses so far on the cloth [J]: an impulse times the mean of the velocities in the substeps before
@@ -99,14 +99,15 @@ class ContactImpulses {
   void apply(const Vec3& impulse, const Contact& contact);
   static void write(const Vertex& vertex, double drift, simd::SlicedCloth<T>& cloth);
   [[nodiscard]] std::span<Vertex> verticesOf(const simd::StepShare& share);
+  [[nodiscard]] std::span<const Island> islandsOf(const simd::StepShare& share) const;
 
   std::vector<Vertex> vertices_;  // by permuted index
   std::vector<Contact> single_;   // of one vertex that has no other contact, by permuted index of the vertex
   std::vector<Contact> coupled_;  // by island
   std::vector<std::size_t> coupledVertices_;  // indices into vertices_, by island
-  std::vector<Island> islands_;
-  std::vector<int> contactCount_;   // of each vertex
-  std::vector<std::size_t> slots_;  // by permuted index: index into vertices_
+  std::vector<Island> islands_;               // by first vertex
+  std::vector<int> contactCount_;             // of each vertex
+  std::vector<std::size_t> slots_;            // by permuted index: index into vertices_
 };
 
 }  // namespace drape::sim::adaptive

@@ -35,7 +35,7 @@ class ContactImpulsesTest : public ::testing::Test {
     impulses_.start(cloth, share);
     simd::driftSlices(cloth, drift, share);
     impulses_.applySingle(cloth, drift, drift, share);
-    impulses_.applyCoupled(cloth, drift, drift);
+    impulses_.applyCoupled(cloth, drift, drift, share);
     impulses_.addWork(share);
     cloth.store(state_, share);
     impulses_.store(contacts_);
