@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 /// Keys of the times with repeats. Sections have some of them.
 constexpr std::array timed{"us_per_simulated_second", "update_ms", "step_us"};
 constexpr std::array exact{"error_mean", "eps_max", "energy_gain"};
-constexpr std::array words{"state"};
+constexpr std::array wordKeys{"state"};
 
 /// A row's cell and its index among the rows of the cell.
 using Place = std::pair<std::string, int>;
@@ -85,7 +85,7 @@ class Comparer {
         compareFigures(section, place, key, before[key], after[key]);
       }
     }
-    for (const char* key : words) {
+    for (const char* key : wordKeys) {
       if (before.contains(key) && after.contains(key)) {
         count("compared");
         if (before[key] != after[key]) {
