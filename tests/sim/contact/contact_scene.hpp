@@ -62,17 +62,17 @@ class ContactScene {
                              world_.pose(body));
   }
 
+  /// The number of intersecting pairs of the cloth's triangles, in exact arithmetic.
+  [[nodiscard]] std::size_t pairsWithItself() const {
+    return drape::intersection::intersectingPairs({state.positions, model_->triangles}).size();
+  }
+
   [[nodiscard]] const ClothModel& model() const { return *model_; }
   [[nodiscard]] BodyWorld& world() { return world_; }
   [[nodiscard]] const Stepper& stepper() const { return stepper_; }
 
   StepParameters parameters;
   ClothState state;
-
-  /// The number of intersecting pairs of the cloth's triangles, in exact arithmetic.
-  [[nodiscard]] std::size_t pairsWithItself() const {
-    return drape::intersection::intersectingPairs({state.positions, model_->triangles}).size();
-  }
 
  private:
   [[nodiscard]] const BodyShape& bodyShape(std::size_t body) const { return world_.bodies()[body].shape; }
@@ -102,6 +102,19 @@ inline std::shared_ptr<const ClothModel> freeSheet(int n, double size, const Vec
     position = middle + turn * (size * (position - Vec3(0.5, 0.0, 0.5)));
   }
   return buildClothModel(mesh, 0.15 * size * size, MassLumping::Area, {});
+}
+
+/// Adds a sheet, and returns the index of its first vertex.
+inline int addSheet(int n, double size, const Vec3& middle, const Eigen::Quaterniond& turn, ClothMesh& mesh) {
+  const ClothMesh own = sheet(n);
+  const auto first = static_cast<int>(mesh.positions.size());
+  for (const Vec3& position : own.positions) {
+    mesh.positions.push_back(middle + turn * (size * (position - Vec3(0.5, 0.0, 0.5))));
+  }
+  for (const Triangle& triangle : own.triangles) {
+    mesh.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
+  }
+  return first;
 }
 
 }  // namespace drape::sim::testing

@@ -2,6 +2,7 @@
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace drape::sim {
 namespace {
@@ -51,6 +52,37 @@ TEST(BodyContactThreads, giveTheSameBitsWhenASolverResolvesTheContacts) {
     int contacts = 0;
     scene.run(0.05, [&](const StepReport& report) { contacts += report.contact.bodyContacts; });
     EXPECT_GT(contacts, 50);
+    hashes.push_back(stateHash(scene.state));
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+}
+
+/// Small sheets on a large one whose vertices are all pinned: contacts of each are solved by the thread that owns it.
+TEST(SelfContactThreads, giveTheSameBitsForSheetsThatTouchCommonPinnedVertices) {
+  const Eigen::Quaterniond aside(Eigen::AngleAxisd(0.3, Vec3::UnitY()));
+  ClothMesh mesh;
+  testing::addSheet(48, 2.0, Vec3::Zero(), Eigen::Quaterniond::Identity(), mesh);
+  std::vector<int> pins(mesh.positions.size());
+  std::iota(pins.begin(), pins.end(), 0);
+  for (int i = 0; i < 9; ++i) {
+    const Vec3 middle(0.11 * (i % 3), 1.0, 0.11 * (i / 3));  // at rest far above
+    testing::addSheet(6, 0.1, middle, aside, mesh);
+  }
+  const auto model = buildClothModel(mesh, 0.5, MassLumping::Area, pins);
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 4}) {
+    ContactScene scene(model, {}, "auto");
+    scene.parameters.threads = threads;
+    scene.parameters.timeStep = 1.0 / 150.0;
+    scene.parameters.material.stiffness = 50.0;
+    scene.parameters.contact.self = contact::SelfCollision::Exact;
+    for (std::size_t v = pins.size(); v < scene.state.positions.size(); ++v) {
+      scene.state.positions[v].y() += contact::ContactParameters{}.thickness - 1.0;
+    }
+    int contacts = 0;
+    scene.run(0.05, [&](const StepReport& report) { contacts += report.contact.selfContacts; });
+    EXPECT_GT(contacts, 50);
+    EXPECT_EQ(scene.pairsWithItself(), 0U);
     hashes.push_back(stateHash(scene.state));
   }
   EXPECT_EQ(hashes[0], hashes[1]);

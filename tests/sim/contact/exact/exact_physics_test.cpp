@@ -13,19 +13,6 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-/// Adds a sheet, and returns the index of its first vertex.
-int addSheet(int n, double size, const Vec3& middle, const Eigen::Quaterniond& turn, ClothMesh& mesh) {
-  const ClothMesh sheet = testing::sheet(n);
-  const auto first = static_cast<int>(mesh.positions.size());
-  for (const Vec3& position : sheet.positions) {
-    mesh.positions.push_back(middle + turn * (size * (position - Vec3(0.5, 0.0, 0.5))));
-  }
-  for (const Triangle& triangle : sheet.triangles) {
-    mesh.triangles.push_back({triangle[0] + first, triangle[1] + first, triangle[2] + first});
-  }
-  return first;
-}
-
 constexpr int patchSize = 4;
 
 /// A patch at rest on a sheet that is pinned at all vertices, on a slope. The patch is turned, so that edges cross. In
@@ -34,10 +21,10 @@ testing::ContactScene patchOnSlope(double slope, const std::string& solver) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(-slope, Vec3::UnitZ()));
   const Eigen::Quaterniond aside(Eigen::AngleAxisd(0.3, Vec3::UnitY()));
   ClothMesh mesh;
-  addSheet(8, 2.0, Vec3::Zero(), turn, mesh);
+  testing::addSheet(8, 2.0, Vec3::Zero(), turn, mesh);
   std::vector<int> pins(mesh.positions.size());
   std::iota(pins.begin(), pins.end(), 0);
-  const int first = addSheet(patchSize, 0.2, turn * Vec3(-0.5, 1.0, 0.0), turn * aside, mesh);
+  const int first = testing::addSheet(patchSize, 0.2, turn * Vec3(-0.5, 1.0, 0.0), turn * aside, mesh);
   testing::ContactScene scene(buildClothModel(mesh, 0.5, MassLumping::Area, pins), {}, solver);
   scene.parameters.contact.self = SelfCollision::Exact;
   scene.parameters.contact.staticFriction = 0.5;
@@ -136,8 +123,8 @@ TEST(ExactSelfContact, neverAddsEnergyWhenASheetFallsOnItsEdge) {
 TEST(ExactSelfContact, neverAddsEnergyWhenFiveLayersFallOnEachOther) {
   ClothMesh mesh;
   for (int layer = 0; layer < 5; ++layer) {
-    addSheet(7, 0.3, Vec3(0.0, 0.02 + 0.02 * layer, 0.0),
-             Eigen::Quaterniond(Eigen::AngleAxisd(0.2 * layer, Vec3::UnitY())), mesh);
+    testing::addSheet(7, 0.3, Vec3(0.0, 0.02 + 0.02 * layer, 0.0),
+                      Eigen::Quaterniond(Eigen::AngleAxisd(0.2 * layer, Vec3::UnitY())), mesh);
   }
   testing::ContactScene scene(buildClothModel(mesh, 0.1, MassLumping::Area, {}),
                               {testing::bodyAt(PlaneShape{2.0}, Vec3::Zero())}, "auto");
@@ -152,9 +139,9 @@ TEST(ExactSelfContact, neverAddsEnergyWhenFiveLayersFallOnEachOther) {
 TEST(ExactSelfContact, countsCrossingsInALaterContactSubstepAndRecoversOnceThereIsRoom) {
   // All vertices are pinned, and a body far away carries those of a small sheet through the large one and back.
   ClothMesh mesh;
-  addSheet(5, 1.0, Vec3::Zero(), Eigen::Quaterniond::Identity(), mesh);
+  testing::addSheet(5, 1.0, Vec3::Zero(), Eigen::Quaterniond::Identity(), mesh);
   const Eigen::Quaterniond upright(Eigen::AngleAxisd(90.0 * degree, Vec3::UnitX()));
-  const int first = addSheet(2, 0.1, Vec3(0.03, 1.0541, 0.04), upright, mesh);
+  const int first = testing::addSheet(2, 0.1, Vec3(0.03, 1.0541, 0.04), upright, mesh);
   std::vector<int> pins(mesh.positions.size());
   std::iota(pins.begin(), pins.end(), 0);
   constexpr double timeStep = 1.0 / 60.0;  // five contact substeps of 4 mm: the sheets are 4.1 mm apart
