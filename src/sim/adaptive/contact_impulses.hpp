@@ -17,7 +17,7 @@ namespace drape::sim::adaptive {
 /// the change of velocity times the drift, as if the impulse had acted before the drift. A point that rests on the
 /// surface only loses its approach velocity: a correction of its height would turn rounding into velocity.
 ///
-/// A contact that shares no vertex with another one has an exact solution. All others form islands, which share no
+/// A contact that shares no vertex with another one has an exact solution. All others form islands, which share no free
 /// vertex with each other. Projected Gauss-Seidel sweeps solve the contacts of an island together, until they have
 /// converged. They start with the impulses of the substep before, so that few sweeps suffice. An island of slow cloth
 /// in contact with itself gets more, so that it comes to rest.
