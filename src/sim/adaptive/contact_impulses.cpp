@@ -143,9 +143,10 @@ void ContactImpulses<T>::findIslands() {
   for (auto first = coupled_.begin(); first != coupled_.end();) {
     const int island = ofContact(*first);
     const auto last = std::ranges::upper_bound(first, coupled_.end(), island, {}, ofContact);
-    const auto vertices = std::ranges::equal_range(coupledVertices_, island, {}, ofVertex);
+    const auto firstVertex = std::ranges::lower_bound(coupledVertices_, island, {}, ofVertex);
+    const auto lastVertex = std::ranges::upper_bound(coupledVertices_, island, {}, ofVertex);
     const bool hasFeaturePairs = std::any_of(first, last, [](const Contact& each) { return each.isFeaturePair; });
-    islands_.push_back({{first, last}, {vertices.begin(), vertices.end()}, hasFeaturePairs});
+    islands_.push_back({{first, last}, {firstVertex, lastVertex}, hasFeaturePairs});
     first = last;
   }
 }
