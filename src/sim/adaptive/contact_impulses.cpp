@@ -105,39 +105,26 @@ std::size_t ContactImpulses<T>::freeVertexOf(const Contact& contact) const {
   return *std::ranges::find_if(contact.vertices, [&](std::size_t v) { return vertices_[v].inverseMass > 0.0; });
 }
 
-/// The island of each vertex, by its lowest vertex; -1 without coupled contacts. Pinned vertices do not couple
-/// contacts, since their velocities are given.
-template <typename T>
-std::vector<int> ContactImpulses<T>::islandOfVertices() const {
-  DisjointSets sets(vertices_.size());
-  std::vector<int> islands(vertices_.size(), -1);
-  const auto forFreeVertices = [&](const auto& visit) {
-    for (const Contact& contact : coupled_) {
-      for (std::size_t c = 0; c < contact.count; ++c) {
-        if (vertices_[contact.vertices[c]].inverseMass > 0.0) {
-          visit(contact, contact.vertices[c]);
-        }
-      }
-    }
-  };
-  forFreeVertices([&](const Contact& contact, std::size_t v) {
-    sets.join(static_cast<int>(freeVertexOf(contact)), static_cast<int>(v));
-  });
-  forFreeVertices([&](const Contact&, std::size_t v) { islands[v] = sets.root(static_cast<int>(v)); });
-  return islands;
-}
-
-/// Sorts the coupled contacts and their free vertices by island.
+/// Sorts the coupled contacts and their free vertices by island. Pinned vertices do not couple contacts, since their
+/// velocities are given.
 template <typename T>
 void ContactImpulses<T>::findIslands() {
-  const std::vector<int> islands = islandOfVertices();
-  const auto ofVertex = [&](std::size_t v) { return islands[v]; };
-  const auto ofContact = [&](const Contact& contact) { return islands[freeVertexOf(contact)]; };
-  for (std::size_t v = 0; v < vertices_.size(); ++v) {
-    if (islands[v] >= 0) {
-      coupledVertices_.push_back(v);
+  DisjointSets sets(vertices_.size());
+  for (const Contact& contact : coupled_) {
+    const auto free = static_cast<int>(freeVertexOf(contact));
+    for (std::size_t c = 0; c < contact.count; ++c) {
+      const std::size_t v = contact.vertices[c];
+      if (vertices_[v].inverseMass > 0.0) {
+        sets.join(free, static_cast<int>(v));
+        coupledVertices_.push_back(v);
+      }
     }
   }
+  // An island is named by its lowest vertex.
+  const auto ofVertex = [&](std::size_t v) { return sets.root(static_cast<int>(v)); };
+  const auto ofContact = [&](const Contact& contact) { return ofVertex(freeVertexOf(contact)); };
+  std::ranges::sort(coupledVertices_);
+  coupledVertices_.erase(std::unique(coupledVertices_.begin(), coupledVertices_.end()), coupledVertices_.end());
   std::ranges::stable_sort(coupledVertices_, {}, ofVertex);
   std::ranges::stable_sort(coupled_, {}, ofContact);
   for (auto first = coupled_.begin(); first != coupled_.end();) {

@@ -78,10 +78,10 @@ class ContactImpulses {
     Vec3 impulse = Vec3::Zero();       // so far [N s]
   };
 
-  /// Contacts that share vertices, and the vertices.
+  /// Contacts that share free vertices, and these vertices. It refers to coupled_ and coupledVertices_.
   struct Island {
     std::span<Contact> contacts;
-    std::span<const std::size_t> vertices;  // the free ones
+    std::span<const std::size_t> vertices;
     bool hasFeaturePairs = false;
   };
 
@@ -89,7 +89,6 @@ class ContactImpulses {
                   const simd::SlicedCloth<T>& cloth);
   void separateCoupled();
   [[nodiscard]] std::size_t freeVertexOf(const Contact& contact) const;
-  [[nodiscard]] std::vector<int> islandOfVertices() const;
   void findIslands();
   [[nodiscard]] bool isSlow(const Island& island) const;
   void solveIsland(const Island& island);
