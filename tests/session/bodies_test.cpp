@@ -2,6 +2,7 @@
 
 #include "scene/scene_file.hpp"
 #include "session/simulation.hpp"
+#include "test_scene.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -70,12 +71,6 @@ std::shared_ptr<const scene::Scene> sheetInBall() {
   return sceneOf(std::string("[cloth]\ngrid = \"horizontal\"\nposition = [0, 0.08, 0]\n") + ball + settings);
 }
 
-void advance(Simulation& simulation, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    simulation.step();
-  }
-}
-
 Vec3 meanPosition(const Simulation& simulation) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& position : simulation.state().positions) {
@@ -94,7 +89,7 @@ double lowest(const Simulation& simulation) {
 
 TEST(Bodies, aBallThatIsDraggedSweepsTheClothAlong) {
   Simulation simulation(hangingSheet());
-  advance(simulation, 5);
+  testing::takeSteps(simulation, 5);
   simulation.apply(MoveBodyCommand{0, Vec3(0.0, 0.0, 0.45)});
   int contacts = 0;
   for (int i = 0; i < 30; ++i) {
@@ -109,7 +104,7 @@ TEST(Bodies, aBallThatIsDraggedSweepsTheClothAlong) {
 
 TEST(Bodies, clothThatIsPulledOverATableSlidesAndKeepsItsShape) {
   Simulation simulation(sheetOnTable());
-  advance(simulation, 5);
+  testing::takeSteps(simulation, 5);
   // A triangle at the right edge, pulled slowly to the right along the table.
   const Triangle corner = simulation.model().triangles.back();
   const Vec3 taken = simulation.state().positions[static_cast<std::size_t>(corner[0])];
@@ -149,7 +144,7 @@ TEST(Bodies, aStandAndAGroundThatAreNotTouchedChangeNoBit) {
     description.settings.step.contact.bodies = bodies;
     description.settings.step.automatic.strainLimit = 0.0;  // the choice of the stretch stiffness counts bodies
     Simulation simulation(scene::buildScene(description, description.settings));
-    advance(simulation, 40);
+    testing::takeSteps(simulation, 40);
     EXPECT_EQ(simulation.lastStepReport().contact.bodyContacts, 0);
     return simulation.state().positions;
   };
@@ -158,10 +153,10 @@ TEST(Bodies, aStandAndAGroundThatAreNotTouchedChangeNoBit) {
 
 TEST(Bodies, clothPassesThroughABodyThatIsSwitchedOff) {
   Simulation simulation(sheetOnTable());
-  advance(simulation, 20);
+  testing::takeSteps(simulation, 20);
   EXPECT_GT(lowest(simulation), 0.5);
   simulation.apply(SwitchBodyCommand{0, false});
-  advance(simulation, 40);
+  testing::takeSteps(simulation, 40);
   EXPECT_LT(lowest(simulation), 0.4) << "through the table";
   EXPECT_GT(lowest(simulation), 0.0) << "and down to the ground";
 }
@@ -196,7 +191,7 @@ TEST(Bodies, aStartInsideABodyIsReportedUntilTheClothIsOut) {
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_EQ(snapshot.message, simulation.message());
-  advance(simulation, 11);
+  testing::takeSteps(simulation, 11);
   EXPECT_EQ(simulation.message(), "") << "until it is out";
   EXPECT_EQ(simulation.lastStepReport().contact.overlaps, 0);
   for (const Vec3& position : simulation.state().positions) {
@@ -206,10 +201,10 @@ TEST(Bodies, aStartInsideABodyIsReportedUntilTheClothIsOut) {
 
 TEST(Bodies, takeAnotherSurfaceByCommand) {
   Simulation simulation(sheetOnTable());
-  advance(simulation, 10);
+  testing::takeSteps(simulation, 10);
   const double before = lowest(simulation);
   simulation.apply(SetSurfaceCommand{0, {0.3, 0.2, 0.01}});
-  advance(simulation, 20);
+  testing::takeSteps(simulation, 20);
   const double thicker = 0.01 - simulation.scene().bodies->at(0).surface.thickness;
   EXPECT_NEAR(lowest(simulation), before + thicker, 1e-3);
   Snapshot snapshot;
@@ -245,22 +240,22 @@ TEST(Bodies, refuseCommandsForABodyThatDoesNotExist) {
 TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
   const auto scene = sheetOnTable();
   Simulation original(scene);
-  advance(original, 4);
+  testing::takeSteps(original, 4);
   original.apply(MoveBodyCommand{1, Vec3(0.4, 0.0, 0.03)});
-  advance(original, 7);
+  testing::takeSteps(original, 7);
   original.apply(MoveBodyCommand{1, Vec3(0.6, 0.02, 0.0)});
-  advance(original, 9);
+  testing::takeSteps(original, 9);
   original.apply(SwitchBodyCommand{1, false});
   original.apply(SetSurfaceCommand{0, {0.05, 0.02, 0.004}});
-  advance(original, 3);
+  testing::takeSteps(original, 3);
   original.apply(SwitchBodyCommand{1, true});
   original.apply(SetSettingCommand{"bodies", false});
-  advance(original, 2);
+  testing::takeSteps(original, 2);
   original.apply(SetSettingCommand{"bodies", true});
-  advance(original, 8);
+  testing::takeSteps(original, 8);
   original.apply(ResetCommand{});
   original.apply(MoveBodyCommand{1, Vec3(0.3, 0.0, 0.0)});
-  advance(original, 12);
+  testing::takeSteps(original, 12);
   original.apply(PauseCommand{true});
 
   Simulation again(scene);
@@ -278,7 +273,7 @@ TEST(Bodies, aLogWithBodiesIsReplayedToTheSameBits) {
 
 TEST(Bodies, contactsAreInASnapshotOnlyWhenTheyAreToBeDrawn) {
   Simulation simulation(sheetOnTable());
-  advance(simulation, 10);
+  testing::takeSteps(simulation, 10);
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_TRUE(snapshot.contactPoints.empty());

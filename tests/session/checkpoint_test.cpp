@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "sim/checkpoint/state_bytes.hpp"
+#include "test_scene.hpp"
 
 #include <gtest/gtest.h>
 #include <utility>
@@ -19,12 +20,6 @@ std::shared_ptr<const scene::Scene> built(const std::string& name, const Values&
     settings::assignSettingText(settings, settings::requireSetting(key), value);
   }
   return scene::buildScene(description, settings);
-}
-
-void take(Simulation& simulation, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    simulation.step();
-  }
 }
 
 /// What the state must remember at the checkpoint, so that a test proves something.
@@ -49,17 +44,17 @@ TEST_P(Checkpoint, continuesToTheSameBits) {
   const Case& test = GetParam();
   const auto scene = built(test.scene, test.values);
   Simulation whole(scene);
-  take(whole, test.before);
+  testing::takeSteps(whole, test.before);
   EXPECT_TRUE(test.remembers != Remembers::SelfContact || whole.state().selfContact != nullptr);
   EXPECT_TRUE(test.remembers != Remembers::Sleep || sleeps(whole));
   const std::string bytes = checkpointOf(whole);
-  take(whole, test.after);
+  testing::takeSteps(whole, test.after);
 
   Simulation resumed(scene);
   EXPECT_TRUE(continueFrom(bytes, resumed).empty());
   EXPECT_EQ(resumed.stepIndex(), test.before);
   EXPECT_EQ(checkpointOf(resumed), bytes) << "nothing is lost";
-  take(resumed, test.after);
+  testing::takeSteps(resumed, test.after);
   EXPECT_EQ(sim::toHex(sim::stateHash(resumed.state())), sim::toHex(sim::stateHash(whole.state())));
   EXPECT_EQ(checkpointOf(resumed), checkpointOf(whole)) << "the memory of the solver too";
 }
@@ -93,7 +88,7 @@ std::string messageOf(const std::string& bytes, Simulation& simulation) {
 
 TEST(CheckpointFile, refusesWhatIsNotACheckpointOfThisScene) {
   Simulation simulation(built("grid", {{"grid.resolution", "9"}}));
-  take(simulation, 3);
+  testing::takeSteps(simulation, 3);
   const std::string bytes = checkpointOf(simulation);
   Simulation fresh(built("grid", {{"grid.resolution", "9"}}));
   const auto before = sim::stateHash(fresh.state());

@@ -10,12 +10,6 @@ namespace {
 
 using testing::smallGrid;
 
-void takeSteps(Simulation& simulation, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    simulation.step();
-  }
-}
-
 void set(Simulation& simulation, const char* key, const settings::SettingValue& value) {
   simulation.apply(SetSettingCommand{key, value});
   ASSERT_EQ(simulation.message(), "");
@@ -25,15 +19,15 @@ void set(Simulation& simulation, const char* key, const settings::SettingValue& 
 void use(Simulation& simulation) {
   set(simulation, "wind.z", 2.0);
   set(simulation, "drag", 0.5);
-  takeSteps(simulation, 10);
+  testing::takeSteps(simulation, 10);
   simulation.apply(AttachCommand{{70, Vec3::Constant(1.0 / 3.0), Vec3(0.1, 1.2, 0.3)}});
-  takeSteps(simulation, 15);
+  testing::takeSteps(simulation, 15);
   simulation.apply(TogglePinCommand{});
   set(simulation, "stiffness", 300.0);
-  takeSteps(simulation, 15);
+  testing::takeSteps(simulation, 15);
   simulation.apply(DetachCommand{});
   set(simulation, "mass", 0.2);
-  takeSteps(simulation, 15);
+  testing::takeSteps(simulation, 15);
 }
 
 TEST(Ghost, doesNotChangeABitOfTheFirstCloth) {
@@ -59,14 +53,14 @@ TEST(Ghost, ofTheSameSolverHasTheSameMotion) {
 
 TEST(Ghost, beginsWhereTheFirstClothIsAndPartsFromIt) {
   Simulation simulation(smallGrid());
-  takeSteps(simulation, 30);
+  testing::takeSteps(simulation, 30);
   set(simulation, "ghost.substeps", 10);
   set(simulation, "ghost.solver", std::string("one_iteration"));
   Snapshot snapshot;
   simulation.capture(snapshot);
   ASSERT_TRUE(snapshot.ghost.has_value());
   EXPECT_EQ(snapshot.ghost->meanDistance, 0.0);
-  takeSteps(simulation, 30);
+  testing::takeSteps(simulation, 30);
   simulation.capture(snapshot);
   EXPECT_GT(snapshot.ghost->meanDistance, 1e-3);
   EXPECT_EQ(snapshot.ghost->meanDistance, sim::meanDistance(snapshot.positions, snapshot.ghost->positions));
@@ -87,11 +81,11 @@ TEST(Ghost, goesBackToTheStartWithTheFirstCloth) {
   Simulation simulation(smallGrid());
   set(simulation, "ghost.substeps", 10);
   set(simulation, "ghost.solver", std::string("one_iteration"));
-  takeSteps(simulation, 30);
+  testing::takeSteps(simulation, 30);
   const auto moved = sim::stateHash(simulation.ghost()->state());
   simulation.apply(ResetCommand{});
   EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), sim::stateHash(simulation.state()));
-  takeSteps(simulation, 30);
+  testing::takeSteps(simulation, 30);
   EXPECT_EQ(sim::stateHash(simulation.ghost()->state()), moved);
 }
 
@@ -138,11 +132,11 @@ TEST(Ghost, isReplayed) {
   const auto scene = smallGrid();
   Simulation original(scene);
   set(original, "ghost.substeps", 5);
-  takeSteps(original, 5);
+  testing::takeSteps(original, 5);
   set(original, "ghost.solver", std::string("one_iteration"));
   use(original);
   set(original, "ghost.substeps", 2);
-  takeSteps(original, 5);
+  testing::takeSteps(original, 5);
   set(original, "gravity", 5.0);
 
   Simulation again(scene);

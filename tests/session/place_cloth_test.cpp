@@ -16,22 +16,16 @@ std::vector<Vec3> raised(const Simulation& simulation, double by) {
   return positions;
 }
 
-void stepTimes(Simulation& simulation, int count) {
-  for (int i = 0; i < count; ++i) {
-    simulation.step();
-  }
-}
-
 TEST(PlaceClothCommand, startsTheSceneInOtherPositions) {
   Simulation simulation(testing::smallGrid());
-  stepTimes(simulation, 5);
+  testing::takeSteps(simulation, 5);
   const std::vector<Vec3> places = raised(simulation, 0.3);
   simulation.apply(PlaceClothCommand{places, true});
   EXPECT_EQ(simulation.state().positions, places);
   EXPECT_EQ(simulation.state().velocities[7], Vec3::Zero());
   EXPECT_EQ(simulation.stepIndex(), 0);
   EXPECT_EQ(simulation.state().time, simulation.scene().start.time);
-  stepTimes(simulation, 5);
+  testing::takeSteps(simulation, 5);
   EXPECT_NE(simulation.state().positions, places);
   simulation.apply(ResetCommand{});
   EXPECT_EQ(simulation.state().positions, places) << "reset returns there";
@@ -54,7 +48,7 @@ TEST(PlaceClothCommand, isForgottenByTheNextScene) {
 
 TEST(PlaceClothCommand, canGoOnAtThePresentTime) {
   Simulation simulation(testing::smallGrid());
-  stepTimes(simulation, 5);
+  testing::takeSteps(simulation, 5);
   const double time = simulation.state().time;
   const std::vector<Vec3> places = raised(simulation, 0.3);
   simulation.apply(PlaceClothCommand{places, false});
@@ -81,9 +75,9 @@ TEST(PlaceClothCommand, refusesOtherNumbersOfPlacesAndPlacesThatAreNotFinite) {
 
 TEST(PlaceClothCommand, isReplayedWithTheSameBits) {
   Simulation first(testing::smallGrid());
-  stepTimes(first, 3);
+  testing::takeSteps(first, 3);
   first.apply(PlaceClothCommand{raised(first, 0.2), true});
-  stepTimes(first, 3);
+  testing::takeSteps(first, 3);
   Simulation second(testing::smallGrid());
   second.replay(first.log(), first.stepsTaken());
   EXPECT_EQ(stateHash(second.state()), stateHash(first.state()));

@@ -2,6 +2,7 @@
 #include "scene/scene_file.hpp"
 #include "session/checkpoint.hpp"
 #include "session/simulation.hpp"
+#include "test_scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -50,12 +51,6 @@ std::shared_ptr<const scene::Scene> built(const std::string& text = twoPieces) {
   return scene::buildScene(description, description.settings);
 }
 
-void stepOn(Simulation& simulation, int steps) {
-  for (int i = 0; i < steps; ++i) {
-    simulation.step();
-  }
-}
-
 void expectWelded(const Simulation& simulation) {
   EXPECT_TRUE(simulation.cloth().openSeams().empty());
   for (const sim::Seam& seam : *simulation.scene().seams) {
@@ -65,21 +60,21 @@ void expectWelded(const Simulation& simulation) {
 
 TEST(Sewing, weldsTheSeamsAndLeavesNoIntersection) {
   Simulation simulation(built());
-  stepOn(simulation, 60);
+  testing::takeSteps(simulation, 60);
   EXPECT_EQ(simulation.cloth().openSeams().size(), 2U);
-  stepOn(simulation, 140);
+  testing::takeSteps(simulation, 140);
   expectWelded(simulation);
-  stepOn(simulation, 150);
+  testing::takeSteps(simulation, 150);
   EXPECT_EQ(intersection::intersectingPairs({simulation.state().positions, simulation.model().triangles}).size(), 0U);
   EXPECT_TRUE(simulation.message().empty()) << simulation.message();
 }
 
 TEST(Sewing, showsThePiecesWithTheirOwnPins) {
   Simulation simulation(built());
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   expectWelded(simulation);
   simulation.apply(ObserveCommand{true});
-  stepOn(simulation, 1);
+  testing::takeSteps(simulation, 1);
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_EQ(snapshot.model->pinned, snapshot.scene->model->pinned);
@@ -93,12 +88,12 @@ TEST(Sewing, showsThePiecesWithTheirOwnPins) {
 
 TEST(Sewing, beginsAgainAtAReset) {
   Simulation simulation(built());
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   const auto hash = sim::stateHash(simulation.state());
   simulation.apply(ResetCommand{});
   EXPECT_EQ(simulation.cloth().openSeams().size(), 2U);
   EXPECT_EQ(simulation.state().positions, simulation.scene().start.positions);
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   expectWelded(simulation);
   EXPECT_EQ(sim::stateHash(simulation.state()), hash);
 }
@@ -107,12 +102,12 @@ TEST(Sewing, continuesFromACheckpointToTheSameBits) {
   const auto scene = built();
   for (const int before : {40, 100, 220}) {
     Simulation whole(scene);
-    stepOn(whole, before);
+    testing::takeSteps(whole, before);
     const std::string bytes = checkpointOf(whole);
-    stepOn(whole, 60);
+    testing::takeSteps(whole, 60);
     Simulation resumed(scene);
     EXPECT_TRUE(continueFrom(bytes, resumed).empty());
-    stepOn(resumed, 60);
+    testing::takeSteps(resumed, 60);
     EXPECT_EQ(sim::stateHash(resumed.state()), sim::stateHash(whole.state())) << before;
     EXPECT_EQ(resumed.cloth().openSeams().size(), whole.cloth().openSeams().size());
   }
@@ -122,34 +117,34 @@ TEST(Sewing, goesBackToTheTimeBeforeAWeld) {
   auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
   description.settings.timeline.memory = 100.0;
   Simulation simulation(scene::buildScene(description, description.settings));
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   simulation.apply(GoToCommand{0.1});
   EXPECT_EQ(simulation.cloth().openSeams().size(), 2U);
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   expectWelded(simulation);
 }
 
 TEST(Sewing, pinsAndReleasesAWeldedVertex) {
   Simulation simulation(built());
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   simulation.apply(SetPinsCommand{{0, 40}});
-  stepOn(simulation, 50);
+  testing::takeSteps(simulation, 50);
   expectWelded(simulation);
   EXPECT_TRUE(simulation.model().pinned[40]);
   EXPECT_FALSE(simulation.model().pinned[8]);
   simulation.apply(SetPinsCommand{{81 + 8}});  // of the back, welded to vertex 0 of the front
   const Vec3 place = simulation.state().positions[0];
-  stepOn(simulation, 50);
+  testing::takeSteps(simulation, 50);
   expectWelded(simulation);
   EXPECT_EQ(simulation.state().positions[0], place);
 }
 
 TEST(Sewing, keepsTheWeldsWhenTheFabricChanges) {
   Simulation simulation(built());
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   simulation.apply(SetSettingCommand{"material.preset", std::string("denim")});
   EXPECT_TRUE(simulation.message().empty()) << simulation.message();
-  stepOn(simulation, 50);
+  testing::takeSteps(simulation, 50);
   expectWelded(simulation);
   EXPECT_GT(simulation.model().totalMass(), 1.5 * simulation.scene().model->totalMass());
 }
@@ -158,7 +153,7 @@ TEST(Sewing, weldsTheGhostAtItsOwnTime) {
   auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
   description.settings.ghost.solver = "auto";
   Simulation simulation(scene::buildScene(description, description.settings));
-  stepOn(simulation, 250);
+  testing::takeSteps(simulation, 250);
   expectWelded(simulation);
   ASSERT_NE(simulation.ghost(), nullptr);
   for (const sim::Seam& seam : *simulation.scene().seams) {

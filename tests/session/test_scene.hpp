@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
 
 #include <string>
@@ -22,6 +23,13 @@ inline std::shared_ptr<const scene::Scene> builtIn(const std::string& name,
 inline std::shared_ptr<const scene::Scene> smallGrid(int resolution = 9, std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(), "grid.resolution=" + std::to_string(resolution));
   return builtIn("grid", settings);
+}
+
+/// Takes that many steps.
+inline void takeSteps(Simulation& simulation, int steps) {
+  for (int i = 0; i < steps; ++i) {
+    simulation.step();
+  }
 }
 
 }  // namespace drape::session::testing
