@@ -1,7 +1,7 @@
 # drape_unity(<target>): compiles several sources at a time where DRAPE_UNITY_BUILD says so. Headers are then read, and
 # Eigen's templates compiled, once for the batch instead of once a source. Sources that Highway includes again for each
 # instruction set (hwy/foreach_target.h) must be compiled alone. Names of a source's own (its unnamed namespace) must differ
-# from those of its neighbours in the same library.
+# from those of its neighbours in the same library or test program.
 function(drape_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${DRAPE_UNITY_BUILD} UNITY_BUILD_BATCH_SIZE 12)
   get_target_property(sources ${target} SOURCES)

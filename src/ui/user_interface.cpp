@@ -228,15 +228,15 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
                      .widgets = parts.widgets,
                      .buttons = parts.buttons,
                      .output = output};
-  UiRect free = view();
+  UiRect uncovered = view();
   if (parts.panels) {
     const double below = static_cast<double>(parts.display.height) - parts.bottom();
     const double extra = statusLine(panel, {0.0, below, static_cast<double>(parts.display.width), parts.bottom()});
     // A long message takes lines above the status line; they must not cover the panel's last rows or the timeline.
     parts.column(panel, {0.0, 0.0, parts.width(), below - extra});
-    free.height = std::max(1.0, free.height - extra);
+    uncovered.height = std::max(1.0, uncovered.height - extra);
   }
-  parts.overlays(panel, free);
+  parts.overlays(panel, uncovered);
   ImGui::Render();
 }
 

@@ -101,8 +101,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Pulling, ::testing::Values("grid", "skirt"),
 TEST(Window, ControlAndLeftPullsARunningCloth) {
   ViewerDriver viewer({"grid", "--set", "speed=0.01"});
   viewer.holdKey("Control_L");
-  // The cloth moves on between its place and the click. Two clicks that follow each other at once are a double click.
-  constexpr int apart = 30;  // frames
+  // The cloth moves, so a click may miss it. Clicks are this many frames apart, since two in a row are a double click.
+  constexpr int apart = 30;
   for (int attempt = 0; attempt < 20 && !isAttached(viewer.frames(apart)); ++attempt) {
     viewer.release();
     viewer.frames(apart);

@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int longestRun = 15;    // a command that runs this long works [s]
-constexpr int timedOut = 124;     // status of timeout(1)
-constexpr double longest = 90.0;  // for a window on a machine under load [s]
+constexpr int longestRun = 15;        // a command that runs this long works [s]
+constexpr int timedOut = 124;         // status of timeout(1)
+constexpr double longestWait = 90.0;  // for a window on a machine under load [s]
 
 std::string contentOf(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -79,7 +79,7 @@ class Documentation : public ::testing::TestWithParam<DocumentedCommand> {
                     .folder = folder(),
                     .output = output()});
     const std::regex drawn("\"frame\": *[1-9]");
-    for (double waited = 0.0; waited < longest && viewer.running(); waited += 0.1) {
+    for (double waited = 0.0; waited < longestWait && viewer.running(); waited += 0.1) {
       if (std::regex_search(contentOf(folder() / "status.json"), drawn)) {
         return;
       }

@@ -29,7 +29,7 @@ MeshShape hills(int n) {
   return shape;
 }
 
-MeshShape coarseBall() {
+MeshShape ballShape() {
   const BodySurface surface = surfaceOf(SphereShape{0.3});
   MeshShape shape{surface.positions, surface.triangles, {}, 1.0, false};
   for (Vec3& position : shape.positions) {
@@ -139,7 +139,7 @@ struct Search {
 
 TEST(MeshSearch, preventsAnyPathIntoARigidMesh) {
   for (unsigned seed = 0; seed < 6; ++seed) {
-    for (const MeshShape& shape : {hills(21), coarseBall(), box()}) {
+    for (const MeshShape& shape : {hills(21), ballShape(), box()}) {
       Search search(shape, 14, seed);
       search.run(Vec3(0.01 * seed, -0.03, 0.0), 0.02);
       EXPECT_GT(search.candidates.planes.size(), 100U);
@@ -178,7 +178,7 @@ TEST(MeshSearch, preventsAnyPathIntoADeformingMesh) {
 
 TEST(MeshSearch, contactsEachVertexAtTheClosestPointOfTheMesh) {
   int vertexContacts = 0;
-  for (const MeshShape& shape : {hills(21), coarseBall(), box()}) {
+  for (const MeshShape& shape : {hills(21), ballShape(), box()}) {
     Search search(shape, 14, 3);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
     for (const ContactConstraint& contact : search.candidates.contacts) {
@@ -200,7 +200,7 @@ TEST(MeshSearch, contactsEachVertexAtTheClosestPointOfTheMesh) {
 }
 
 TEST(MeshSearch, needsAtMostOnePlanePerTriangleOverAConvexMesh) {
-  for (const MeshShape& shape : {coarseBall(), box()}) {
+  for (const MeshShape& shape : {ballShape(), box()}) {
     Search search(shape, 14, 5);
     search.run(Vec3(0.0, -0.01, 0.0), 0.0);
     EXPECT_LE(search.candidates.planes.size(), 3 * search.model->triangles.size());
@@ -208,10 +208,10 @@ TEST(MeshSearch, needsAtMostOnePlanePerTriangleOverAConvexMesh) {
 }
 
 TEST(MeshSearch, skipsTrianglesThatStayAwayUntilTheyAreRequested) {
-  Search still(coarseBall(), 14, 5);
+  Search still(ballShape(), 14, 5);
   still.run(Vec3::Zero(), 0.0);
   EXPECT_LT(still.planesAtFirst, still.candidates.planes.size());
-  Search moving(coarseBall(), 14, 5);
+  Search moving(ballShape(), 14, 5);
   moving.run(Vec3(0.0, -0.01, 0.0), 0.0);
   EXPECT_GT(moving.planesAtFirst, still.planesAtFirst);
 }
@@ -229,7 +229,7 @@ std::vector<double> numbersOf(const Candidates& candidates) {
 }
 
 TEST(MeshSearch, findsTheSameContactsWithAndWithoutCachedData) {
-  for (const MeshShape& shape : {hills(21), coarseBall(), box()}) {
+  for (const MeshShape& shape : {hills(21), ballShape(), box()}) {
     Search cached(shape, 14, 3);
     RandomVectors random(8);
     std::size_t contacts = 0;
