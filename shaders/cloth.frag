@@ -130,7 +130,7 @@ void main() {
   float lit = max((facing + 0.08) / 1.08, 0.0);
   // Thin cloth lets light from behind through, in its own colour.
   vec3 through = 0.48 * max(-facing, 0.0) * sqrt(color);
-  vec3 light = keyLight * visible * (lit + through) + roomLight(normal, toEye, front ? surface.curvature : -surface.curvature);
+  vec3 light = keyLight * visible * (lit + through) + roomLight(surface.position, normal, toEye, front ? surface.curvature : -surface.curvature);
 
   // Fibres on the surface reflect light at a grazing view, and the threads are slightly glossy.
   float fuzz = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0);

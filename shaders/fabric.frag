@@ -82,7 +82,7 @@ void main() {
   float visible = keyVisibility(surface.position, facing >= 0.0 ? smoothNormal : -smoothNormal);
   float lit = max((dot(normal, toLight.xyz) + 0.08) / 1.08, 0.0);
   vec3 through = 0.48 * translucency * max(-facing, 0.0) * sqrt(color);
-  vec3 room = roomLight(normal, toEye, front ? surface.curvature : -surface.curvature);
+  vec3 room = roomLight(surface.position, normal, toEye, front ? surface.curvature : -surface.curvature);
   vec3 result = color * (keyLight * visible * (lit + through) + room);
 
   float grazing = 1.0 - max(dot(smoothNormal, toEye), 0.0);

@@ -2,6 +2,7 @@
 // the other side and from the viewer, so that no side of the cloth is flat.
 
 uniform sampler2DShadow shadowMap;
+uniform sampler2D occlusionMap;  // of occlusion_smooth.frag, coarser than the picture
 
 const vec3 keyLight = vec3(1.00, 0.965, 0.92) * 0.95;
 const vec3 skyLight = vec3(0.88, 0.94, 1.00) * 0.54;
@@ -38,9 +39,33 @@ float openness(float curvature) {
   return 1.0 - 0.75 * bend / (0.55 + abs(bend)) * (bend > 0.0 ? 1.0 : 0.35);
 }
 
+// Fraction of the room's light that reaches a point of this pixel past other surfaces: the mean of the four nearest places
+// of the map, of which those on other surfaces do not count.
+float unblocked(vec3 position) {
+  if (occlusion.y < 0.5) {
+    return 1.0;
+  }
+  float depth = depthAlongView(position);
+  ivec2 last = textureSize(occlusionMap, 0) - 1;
+  vec2 place = gl_FragCoord.xy * viewport.zw * vec2(last + 1) - 0.5;
+  vec2 corner = floor(place);
+  vec2 share = place - corner;
+  float sum = 1e-3;
+  float weights = 1e-3;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 to = ivec2(i & 1, i >> 1);
+    vec2 there = texelFetch(occlusionMap, clamp(ivec2(corner) + to, ivec2(0), last), 0).xy;
+    vec2 near = mix(1.0 - share, share, vec2(to));
+    float weight = near.x * near.y * sameSurface(there.y - depth);
+    sum += weight * there.x;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
 // Ambient light.
-vec3 roomLight(vec3 normal, vec3 toEye, float curvature) {
+vec3 roomLight(vec3 position, vec3 normal, vec3 toEye, float curvature) {
   vec3 room = mix(floorLight, skyLight, 0.5 + 0.5 * normal.y);
   room += counterLight * max(dot(normal, toCounterLight), 0.0) + viewerLight * max(dot(normal, toEye), 0.0);
-  return room * openness(curvature);
+  return room * openness(curvature) * unblocked(position);
 }

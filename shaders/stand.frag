@@ -34,7 +34,7 @@ void main() {
   vec3 normal = normalize(surface.normal);
   float visible = keyVisibility(surface.position, normal);
   float facing = dot(normal, toLight.xyz);
-  vec3 light = keyLight * visible * max(facing, 0.0) + roomLight(normal, toEye, surface.curvature);
+  vec3 light = keyLight * visible * max(facing, 0.0) + roomLight(surface.position, normal, toEye, surface.curvature);
   float shine = pow(max(dot(normal, normalize(toLight.xyz + toEye)), 0.0), 60.0);
   float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 5.0);
   pixel = vec4(toScreen(paintHere() * light + shine * 0.25 * visible * keyLight + rim * 0.2 * skyLight), 1.0);

@@ -4,7 +4,7 @@
 
 namespace drape::render {
 
-static_assert(sizeof(FrameUniforms) == (2 * 16 + 6 * 4) * sizeof(float), "the block must have no gaps");
+static_assert(sizeof(FrameUniforms) == (2 * 16 + 7 * 4) * sizeof(float), "the block must have no gaps");
 
 FrameBlock::FrameBlock() {
   glBindBuffer(GL_UNIFORM_BUFFER, buffer_.name());

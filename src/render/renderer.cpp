@@ -1,5 +1,6 @@
 #include "render/renderer.hpp"
 
+#include "render/ambient_occlusion.hpp"
 #include "render/body_drawing.hpp"
 #include "render/creases.hpp"
 #include "render/fabric_look.hpp"
@@ -29,6 +30,7 @@ namespace {
 
 constexpr double fadeInSizes = 5.0;   // distance at which the ground has faded out, in sizes of the scene [-]
 constexpr double smallestFade = 1.5;  // its minimum [m]
+constexpr double occlusionRadius = 0.13;  // up to which surfaces take light from each other, in sizes of the scene [-]
 constexpr double creaseAngle = 0.7;   // sharper edges of a stand get separate normals [rad]
 constexpr float ghostOpacity = 0.6F;
 constexpr float unitHeight = 800.0F;   // picture height at which a unit of a mark is one pixel [pixels]
@@ -50,6 +52,12 @@ float pixelsPerMetre(const Camera& camera, int height) {
 
 Eigen::Vector3f vectorOf(const Colour& colour) {
   return {colour[0], colour[1], colour[2]};
+}
+
+/// Sets the uniforms of light.glsl.
+void setLight(const ShaderProgram& program) {
+  program.set("shadowMap", static_cast<int>(shadowUnit));
+  program.set("occlusionMap", static_cast<int>(occlusionUnit));
 }
 
 /// Sets the uniforms of fabric.frag. @param warpAngle as fabric.warp_angle [degrees]
@@ -87,6 +95,7 @@ struct Renderer::Parts {
   void takeField(const fields::ShownField* shown);
   void takeScene(const scene::Scene& scene, const settings::Settings& settings);
   void takeGhost(const session::Snapshot& snapshot);
+  [[nodiscard]] std::vector<const SmoothMesh*> solidMeshes() const;
   void updateShadows(const FrameUniforms& uniforms);
   [[nodiscard]] FrameUniforms frameUniforms(const session::Snapshot& snapshot, const Camera& camera, int width,
                                             int height) const;
@@ -121,6 +130,7 @@ struct Renderer::Parts {
   Marks marks;
   ShadowMap shadowMap;
   GroundShadow groundShadow;
+  AmbientOcclusion occlusion;
 
   std::shared_ptr<const scene::Scene> scene;
   std::vector<bool> warpsAlongUvs;  // of the yarns of each cloth that are shown
@@ -128,6 +138,7 @@ struct Renderer::Parts {
   std::int64_t version = -1;
   double checkSize = 0.1;                       // [m]
   Eigen::Vector3d groundCentre{0.0, 0.0, 0.0};  // [m]
+  double sceneSize = 1.0;                       // half the diagonal of cloth and stand at the start [m]
   double groundFade = 1.0;                      // [m]
   bool shadowsAreCurrent = false;
   bool hasGhost = false;
@@ -217,7 +228,8 @@ void Renderer::Parts::takeScene(const scene::Scene& newScene, const settings::Se
   bodies.takeScene(newScene);
 
   groundCentre = {box.center().x(), newScene.groundHeight, box.center().z()};
-  groundFade = std::max(smallestFade, fadeInSizes * 0.5 * box.diagonal().norm());
+  sceneSize = 0.5 * box.diagonal().norm();
+  groundFade = std::max(smallestFade, fadeInSizes * sceneSize);
 }
 
 FrameUniforms Renderer::Parts::frameUniforms(const session::Snapshot& snapshot, const Camera& camera, int width,
@@ -225,7 +237,8 @@ FrameUniforms Renderer::Parts::frameUniforms(const session::Snapshot& snapshot, 
   const auto w = static_cast<float>(width);
   const auto h = static_cast<float>(height);
   FrameUniforms uniforms;
-  uniforms.viewProjection = camera.projectionMatrix(static_cast<double>(width) / height) * camera.viewMatrix();
+  const Eigen::Matrix4f projection = camera.projectionMatrix(static_cast<double>(width) / height);
+  uniforms.viewProjection = projection * camera.viewMatrix();
   uniforms.shadowFromWorld = shadowMap.fromWorld();
   uniforms.eye = camera.eye();
   uniforms.toLight << directionToLight().cast<float>(), snapshot.settings.view.shadows ? 1.0F : 0.0F;
@@ -234,17 +247,24 @@ FrameUniforms Renderer::Parts::frameUniforms(const session::Snapshot& snapshot, 
   uniforms.groundShadow << groundShadow.centre().cast<float>(), static_cast<float>(groundShadow.halfSide()), 0.0F;
   uniforms.shadowScale << static_cast<float>(shadowMap.texelSize()), static_cast<float>(2.0 * shadowMap.radius()),
       1.0F / ShadowMap::resolution, 0.0F;
+  uniforms.occlusion << static_cast<float>(occlusionRadius * sceneSize), snapshot.settings.view.occlusion ? 1.0F : 0.0F,
+      1.0F / projection(0, 0), 1.0F / projection(1, 1);
   return uniforms;
 }
 
-void Renderer::Parts::updateShadows(const FrameUniforms& uniforms) {
-  frameBlock.upload(uniforms);
+/// The meshes that cast shadows and take light from each other.
+std::vector<const SmoothMesh*> Renderer::Parts::solidMeshes() const {
   std::vector<const SmoothMesh*> meshes{&cloth, &stand};
   bodies.addMeshes(meshes);
   if (hasGhost && ghostStandsBeside) {
     meshes.push_back(&ghost);
   }
-  shadowMap.draw(meshes);
+  return meshes;
+}
+
+void Renderer::Parts::updateShadows(const FrameUniforms& uniforms) {
+  frameBlock.upload(uniforms);
+  shadowMap.draw(solidMeshes());
   shadowMap.bind(shadowUnit, shadowDepthUnit);
   groundShadow.draw();
   shadowsAreCurrent = true;
@@ -262,19 +282,19 @@ void Renderer::Parts::drawBackground() const {
 
 void Renderer::Parts::drawStand() const {
   standProgram.use();
-  standProgram.set("shadowMap", static_cast<int>(shadowUnit));
+  setLight(standProgram);
   stand.draw();
 }
 
 void Renderer::Parts::drawBodies() const {
   bodyProgram.use();
-  bodyProgram.set("shadowMap", static_cast<int>(shadowUnit));
+  setLight(bodyProgram);
   bodies.draw();
 }
 
 /// Sets the uniforms of cloth.frag that both cloths share.
 void Renderer::Parts::setPattern(const ShaderProgram& program, const settings::Settings& settings) const {
-  program.set("shadowMap", static_cast<int>(shadowUnit));
+  setLight(program);
   program.set("checkSize", static_cast<float>(checkSize));
   program.set("checkered", surfaceOf(settings) == Surface::Checker ? 1.0F : 0.0F);
 }
@@ -309,7 +329,7 @@ void Renderer::Parts::drawCloth(const settings::Settings& settings) const {
   // The wireframe keeps its own colours, on which the edges can be read.
   if (surfaceOf(settings) == Surface::Fabric && !settings.view.wireframe) {
     fabricProgram.use();
-    fabricProgram.set("shadowMap", static_cast<int>(shadowUnit));
+    setLight(fabricProgram);
     drawFabrics(settings);
     return;
   }
@@ -415,6 +435,10 @@ void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int
   }
   parts.frameBlock.upload(parts.frameUniforms(snapshot, camera, width, height));
   parts.shadowMap.bind(shadowUnit, shadowDepthUnit);
+  if (view.occlusion) {
+    parts.occlusion.draw(parts.solidMeshes(), width, height);
+    parts.occlusion.bind(occlusionUnit);
+  }
 
   parts.framebuffer.begin(width, height);
   glEnable(GL_DEPTH_TEST);

@@ -89,6 +89,7 @@ struct Settings {
     std::string surface = "auto";  ///< "auto" (checker for springs, else fabric), "checker", "plain" or "fabric"
     bool ground = true;
     bool shadows = true;
+    bool occlusion = true;  ///< ambient occlusion
     bool contacts = false;
     bool intersections = false;
     bool pins = true;

@@ -119,6 +119,49 @@ TEST_F(RendererTest, ViewSettingsChangeThePicture) {
   EXPECT_GT(pixelsChangedBy([](settings::Settings::View& view) { view.shadows = false; }), 500);
 }
 
+TEST_F(RendererTest, AmbientOcclusionDarkensFoldsAndNothingElse) {
+  const auto withAndWithout = [&](double depth) {
+    session::Snapshot snapshot = wavySheet(depth);
+    snapshot.settings.view.shadows = false;
+    const Image with = picture(snapshot);
+    snapshot.settings.view.occlusion = false;
+    return std::pair(with, picture(snapshot));
+  };
+  const auto [folded, foldedWithout] = withAndWithout(0.3);
+  int darker = 0;
+  int brightest = 0;
+  for (std::size_t i = 0; i < folded.rgb.size(); ++i) {
+    const int change = static_cast<int>(folded.rgb[i]) - static_cast<int>(foldedWithout.rgb[i]);
+    darker += change < -4 ? 1 : 0;
+    brightest = std::max(brightest, change);
+  }
+  EXPECT_GT(darker, 500);
+  EXPECT_LE(brightest, 1);
+  const auto [flat, flatWithout] = withAndWithout(0.0);
+  EXPECT_EQ(compareImages(flat, flatWithout, 1).pixels, 0);
+}
+
+TEST_F(RendererTest, AmbientOcclusionIsTheSameInAnOrthographicView) {
+  // From far away both views show nearly the same picture.
+  scene::CameraPose pose = cameraInFront().pose();
+  pose.position = pose.focalPoint + 20.0 * (pose.position - pose.focalPoint);
+  pose.viewAngle /= 20.0;
+  session::Snapshot snapshot = wavySheet(0.3);
+  snapshot.settings.view.shadows = false;
+  snapshot.settings.view.ground = false;
+  const auto darkenedPixels = [&] {
+    snapshot.settings.view.occlusion = true;
+    const Image with = picture(snapshot, Camera(pose));
+    snapshot.settings.view.occlusion = false;
+    return compareImages(with, picture(snapshot, Camera(pose)), 4).pixels;
+  };
+  const int inPerspective = darkenedPixels();
+  pose.isOrthographic = true;
+  const int orthographic = darkenedPixels();
+  EXPECT_GT(inPerspective, 300);
+  EXPECT_NEAR(orthographic, inPerspective, 0.1 * inPerspective);
+}
+
 TEST_F(RendererTest, FrontAndBackAreTinted) {
   session::Snapshot snapshot = wavySheet(0.0);
   snapshot.settings.view.surface = "plain";
