@@ -60,6 +60,8 @@ constexpr std::tuple table{
     row<session::PlacePinsCommand>("place_pins", Field{"vertices", &session::PlacePinsCommand::vertices},
                                    Field{"places", &session::PlacePinsCommand::places}),
     row<session::MovePinsCommand>("move_pins", Field{"by", &session::MovePinsCommand::by}),
+    row<session::SetPinPathsCommand>("set_pin_paths", Field{"paths", &session::SetPinPathsCommand::paths},
+                                     Field{"moves", &session::SetPinPathsCommand::moves}),
     row<session::UntangleCommand>("untangle"),
     row<session::PlaceClothCommand>("place_cloth", Field{"positions", &session::PlaceClothCommand::positions},
                                     Field{"is_start", &session::PlaceClothCommand::isStart}),
@@ -137,6 +139,22 @@ void put(Json& json, const figure::FigureOptions& figure) {
   }
 }
 
+void put(Json& json, const std::vector<scene::PinPath>& paths) {
+  json = Json::array();
+  for (const scene::PinPath& path : paths) {
+    Json& entry = json.emplace_back();
+    entry["vertices"] = path.vertices;
+    put(entry["centre"], path.centre);
+    for (const sim::contact::Keyframe& key : path.motion.keyframes) {
+      Json& frame = entry["keyframes"].emplace_back();
+      frame["time"] = key.time;
+      put(frame["position"], key.position);
+      put(frame["rotation"], key.rotation);
+    }
+    entry["loop"] = path.motion.loop;
+  }
+}
+
 template <typename T>
 void put(Json& json, const T& value) {
   json = value;
@@ -185,6 +203,21 @@ void take(const Json& json, figure::FigureOptions& figure) {
     if (const auto found = json.find(std::string(each.key)); found != json.end()) {
       figure.proportions.*each.value = found->get<double>();
     }
+  }
+}
+
+void take(const Json& json, std::vector<scene::PinPath>& paths) {
+  for (const Json& entry : json) {
+    scene::PinPath& path = paths.emplace_back();
+    path.vertices = entry.at("vertices").get<std::vector<int>>();
+    take(entry.at("centre"), path.centre);
+    for (const Json& frame : entry.at("keyframes")) {
+      sim::contact::Keyframe& key = path.motion.keyframes.emplace_back();
+      key.time = frame.at("time").get<double>();
+      take(frame.at("position"), key.position);
+      take(frame.at("rotation"), key.rotation);
+    }
+    path.motion.loop = entry.at("loop").get<bool>();
   }
 }
 

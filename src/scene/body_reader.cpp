@@ -2,6 +2,7 @@
 
 #include "io/point_cache_import.hpp"
 #include "messages/error.hpp"
+#include "scene/keyframe_file.hpp"
 #include "settings/surface_fields.hpp"
 
 #include <fmt/core.h>
@@ -14,7 +15,6 @@ namespace drape::scene {
 namespace {
 
 constexpr double smallest = 1e-4;  // [m] of a body
-constexpr double longTime = 1e6;   // [s]
 constexpr double manyTurns = 1e6;  // [degrees], or degrees per second
 
 /// The keys of a shape, besides those of every body.
@@ -170,40 +170,12 @@ void readFigure(const TomlReader& table, BodyDescription& body) {
   body.meshes = {MeshFileSource{"figure.obj", true, table.place()}};
 }
 
-sim::contact::Keyframe readKeyframe(const TomlReader& table, const sim::contact::Keyframe& usual) {
-  table.allowOnly({"time", "position", "rotation"});
-  sim::contact::Keyframe key = usual;
-  const auto time = table.number("time", -longTime, longTime);
-  if (!time) {
-    table.fail("a keyframe needs a time");
-  }
-  key.time = *time;
-  key.position = table.vector("position").value_or(usual.position);
-  if (const auto rotation = table.vector("rotation", manyTurns)) {
-    key.rotation = degree * *rotation;
-  }
-  return key;
-}
-
 sim::contact::BodyMotion readMotion(const TomlReader& table) {
   sim::contact::BodyMotion motion;
   const sim::contact::Keyframe start{0.0, table.vector("position").value_or(Vec3::Zero()),
                                      degree * table.vector("rotation", manyTurns).value_or(Vec3::Zero())};
   motion.spin = degree * table.vector("spin", manyTurns).value_or(Vec3::Zero());
-  for (const TomlReader& key : table.tables("keyframes")) {
-    const sim::contact::Keyframe next = readKeyframe(key, motion.keyframes.empty() ? start : motion.keyframes.back());
-    if (!motion.keyframes.empty() && !(next.time > motion.keyframes.back().time)) {
-      key.fail("the times of the keyframes must ascend");
-    }
-    motion.keyframes.push_back(next);
-  }
-  if (motion.keyframes.empty()) {
-    motion.keyframes.push_back(start);
-  }
-  motion.loop = table.flag("loop").value_or(false);
-  if (motion.loop && motion.keyframes.size() < 2) {
-    table.fail("bodies.loop needs at least two keyframes");
-  }
+  readKeyframes(table, start, motion);
   return motion;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/body_writer.hpp"
 
 #include "io/point_cache_import.hpp"
+#include "scene/keyframe_file.hpp"
 #include "settings/surface_fields.hpp"
 #include "text/number_text.hpp"
 
@@ -89,13 +90,7 @@ void writeMotion(const sim::contact::BodyMotion& motion, TomlText& toml) {
       toml.value("rotation", degreesText(only.rotation));
     }
   } else {
-    std::string keys;
-    for (const sim::contact::Keyframe& key : motion.keyframes) {
-      keys += fmt::format("  {{ time = {}, position = {}, rotation = {} }},\n", text::exactNumber(key.time),
-                          vectorText(key.position), degreesText(key.rotation));
-    }
-    toml.value("keyframes", "[\n" + keys + "]");
-    toml.flag("loop", motion.loop);
+    writeKeyframes(motion, toml);
   }
   if (!motion.spin.isZero(0.0)) {
     toml.value("spin", degreesText(motion.spin));

@@ -47,10 +47,11 @@ Source makeSource(const ClothDescription& cloth, const settings::Settings& setti
   return source;
 }
 
-/// The body that moves pins which the settings choose: that of the cloth's pins, if all have the same.
-std::string carrierOfAll(const std::vector<PinSelection>& pins) {
-  const bool areAlike = std::all_of(pins.begin(), pins.end(), [&](const auto& p) { return p.body == pins[0].body; });
-  return !pins.empty() && areAlike ? pins[0].body : "";
+/// What moves pins which the settings choose: that of the cloth's pins, if all have the same.
+PinGroup motionOfAll(const std::vector<PinSelection>& pins) {
+  const bool areAlike = std::all_of(
+      pins.begin(), pins.end(), [&](const auto& p) { return p.body == pins[0].body && p.motion == pins[0].motion; });
+  return !pins.empty() && areAlike ? PinGroup{{}, pins[0].body, pins[0].motion} : PinGroup{};
 }
 
 std::vector<PinSelection> pinsInForce(const ClothDescription& cloth, const settings::Settings& settings) {
@@ -61,7 +62,9 @@ std::vector<PinSelection> pinsInForce(const ClothDescription& cloth, const setti
   if (settings.mesh.pins == "top") {
     pins.top = topOfBareMesh;
   }
-  pins.body = carrierOfAll(cloth.pins);
+  const PinGroup all = motionOfAll(cloth.pins);
+  pins.body = all.body;
+  pins.motion = all.motion;
   return {pins};
 }
 
@@ -77,13 +80,16 @@ std::vector<int> selectedBy(const PinSelection& pins, const Source& source) {
 std::vector<PinGroup> choosePins(const ClothDescription& cloth, const settings::Settings& settings,
                                  const Source& source) {
   if (settings.mesh.pins == "shape") {
-    return {{pinsByShape(source.mesh.cloth), carrierOfAll(cloth.pins)}};
+    PinGroup group = motionOfAll(cloth.pins);
+    group.vertices = pinsByShape(source.mesh.cloth);
+    return {group};
   }
   std::vector<PinGroup> groups;
   std::vector<char> isTaken(source.mesh.cloth.positions.size(), 0);
   for (const PinSelection& pins : pinsInForce(cloth, settings)) {
     PinGroup& group = groups.emplace_back();
     group.body = pins.body;
+    group.motion = pins.motion;
     for (const int vertex : selectedBy(pins, source)) {
       if (std::exchange(isTaken[vertex], 1) == 0) {
         group.vertices.push_back(vertex);

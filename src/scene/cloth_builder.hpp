@@ -12,7 +12,8 @@ namespace drape::scene {
 /// Pinned vertices that move together.
 struct PinGroup {
   std::vector<int> vertices;
-  std::string body;  ///< that moves them; empty: they are fixed in space
+  std::string body;                                               ///< that moves them; empty: none
+  std::optional<sim::contact::BodyMotion> motion = std::nullopt;  ///< without a body; empty: they are fixed in space
 };
 
 /// The cloths of a scene, joined to one mesh.

@@ -4,6 +4,7 @@
 #include "io/mesh_import.hpp"
 #include "scene/cloth_part.hpp"
 #include "scene/mesh_reading.hpp"
+#include "scene/pin_path.hpp"
 #include "settings/settings.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -65,8 +66,9 @@ struct PinSelection {
   std::vector<std::string> corners;  ///< of a grid: "top_left", "top_right", "bottom_left", "bottom_right"
   std::vector<std::string> edges;    ///< of a grid: "top", "bottom", "left", "right"
   int every = 1;                     ///< only every n-th vertex along edges, and the last
-  std::string body;                  ///< the body that moves the pins; empty: they are fixed in space
-  std::string where;                 ///< file and line of the table, for messages; empty without a scene file
+  std::string body;                  ///< the body that moves the pins; empty: none
+  std::optional<sim::contact::BodyMotion> motion;  ///< of pins without a body; empty: they are fixed in space
+  std::string where;  ///< file and line of the table, for messages; empty without a scene file
 };
 
 /// The clip of a file with a skeletal animation, which becomes the frames of a body.
@@ -210,6 +212,7 @@ struct Scene {
   std::optional<Decor> stand;
   std::shared_ptr<const std::vector<sim::contact::Body>> bodies =
       std::make_shared<std::vector<sim::contact::Body>>();  ///< never null
+  std::vector<PinPath> pinPaths;  ///< of pins that move without a body; a vertex is in one of them at most
   CameraPose camera;
   double groundHeight = 0.0;  ///< [m]
 };

@@ -58,6 +58,9 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
                                   scene->summary.warnings);
   for (const PinGroup& group : joined.pins) {
     carryPins(description, group, scene->start, *bodies);
+    if (group.motion && !group.vertices.empty()) {
+      scene->pinPaths.push_back(pathOf(group.vertices, *group.motion, scene->start.positions));
+    }
   }
   scene->bodies = bodies;
   scene->camera = cameraFor(description, scene->start.positions);

@@ -4,6 +4,7 @@
 #include "scene/body_reader.hpp"
 #include "scene/fabric_file.hpp"
 #include "scene/framing.hpp"
+#include "scene/keyframe_file.hpp"
 #include "scene/seam_file.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
@@ -58,7 +59,7 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
 }
 
 PinSelection readPins(const TomlReader& reader) {
-  reader.allowOnly({"vertices", "nearest", "boxes", "top", "corners", "edges", "every", "body"});
+  reader.allowOnly({"vertices", "nearest", "boxes", "top", "corners", "edges", "every", "body", "keyframes", "loop"});
   PinSelection pins;
   pins.where = reader.place();
   pins.vertices = reader.integers("vertices");
@@ -73,6 +74,14 @@ PinSelection readPins(const TomlReader& reader) {
   pins.edges = reader.texts("edges");
   pins.every = reader.integer("every", 1, 1000).value_or(1);
   pins.body = reader.text("body").value_or("");
+  if (reader.has("keyframes")) {
+    if (!pins.body.empty()) {
+      reader.fail("pins follow either a body or keyframes, not both");
+    }
+    readKeyframes(reader, {}, pins.motion.emplace());
+  } else if (reader.has("loop")) {
+    reader.fail("loop needs keyframes");
+  }
   return pins;
 }
 

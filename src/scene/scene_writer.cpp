@@ -3,6 +3,7 @@
 #include "messages/error.hpp"
 #include "scene/body_writer.hpp"
 #include "scene/fabric_file.hpp"
+#include "scene/keyframe_file.hpp"
 #include "scene/mesh_reading.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/seam_file.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -26,7 +28,7 @@ struct Writing {
   TomlText toml = {};
 
   [[nodiscard]] const SceneDescription& description() const { return scene.description; }
-  [[nodiscard]] bool hasOwnPins() const { return now.pinned != scene.model->pinned; }
+  [[nodiscard]] bool hasOwnPins() const { return now.pinned != scene.model->pinned || now.pinPaths != scene.pinPaths; }
   [[nodiscard]] bool hasSeveral() const {
     return description().cloths.size() > 1 || !description().cloth().name.empty();
   }
@@ -75,9 +77,24 @@ void writePins(const PinSelection& pins, const std::string& header, TomlText& to
   if (!pins.body.empty()) {
     toml.text("body", pins.body);
   }
+  if (pins.motion) {
+    writeKeyframes(*pins.motion, toml);
+  }
 }
 
-/// The pins that the user has now, by vertex: a group for each body that carries some, and one for the others.
+/// Takes those of `vertices` that are left, counted from the first one of the cloth.
+std::vector<int> taken(const std::vector<int>& vertices, const ClothPart& cloth, std::vector<int>& left) {
+  std::vector<int> found;
+  for (const int vertex : vertices) {
+    if (std::erase(left, vertex - cloth.firstVertex) > 0) {
+      found.push_back(vertex - cloth.firstVertex);
+    }
+  }
+  return found;
+}
+
+/// The pins that the user has now, by vertex: a group for each body that carries some, one for each path, and one for
+/// the others.
 std::vector<PinSelection> pinsNow(const Writing& writing, const ClothPart& cloth) {
   std::vector<int> left;
   for (int v = 0; v < cloth.vertexCount; ++v) {
@@ -86,17 +103,24 @@ std::vector<PinSelection> pinsNow(const Writing& writing, const ClothPart& cloth
     }
   }
   std::vector<PinSelection> groups;
+  const auto addGroup = [&](const std::vector<int>& vertices, const std::string& body,
+                            const std::optional<sim::contact::BodyMotion>& motion) {
+    PinSelection group;
+    group.vertices = taken(vertices, cloth, left);
+    group.body = body;
+    group.motion = motion;
+    if (!group.vertices.empty()) {
+      groups.push_back(std::move(group));
+    }
+  };
   for (std::size_t i = 0; i < writing.description().bodies.size(); ++i) {
-    PinSelection carried;
-    carried.body = (*writing.scene.bodies)[i].name;
-    for (const sim::contact::CarriedPin& pin : (*writing.scene.bodies)[i].pins) {
-      if (std::erase(left, pin.vertex - cloth.firstVertex) > 0) {
-        carried.vertices.push_back(pin.vertex - cloth.firstVertex);
-      }
-    }
-    if (!carried.vertices.empty()) {
-      groups.push_back(std::move(carried));
-    }
+    const sim::contact::Body& body = (*writing.scene.bodies)[i];
+    std::vector<int> carried;
+    std::ranges::transform(body.pins, std::back_inserter(carried), &sim::contact::CarriedPin::vertex);
+    addGroup(carried, body.name, std::nullopt);
+  }
+  for (const PinPath& path : writing.now.pinPaths) {
+    addGroup(path.vertices, "", path.motion);
   }
   if (!left.empty()) {
     groups.emplace_back().vertices = std::move(left);
@@ -255,7 +279,7 @@ std::string documentText(Writing& writing) {
 }  // namespace
 
 SceneNow unchanged(const Scene& scene) {
-  return {scene.settings, scene.model->pinned, {}};
+  return {scene.settings, scene.model->pinned, scene.pinPaths, {}};
 }
 
 WrittenScene writeScene(const Scene& scene, const SceneNow& now, const std::filesystem::path& folder) {

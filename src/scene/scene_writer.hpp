@@ -20,6 +20,7 @@ struct BodyNow {
 struct SceneNow {
   settings::Settings settings;
   std::vector<bool> pinned;                         ///< one per vertex of the model
+  std::vector<PinPath> pinPaths;                    ///< of pins that move without a body
   std::vector<BodyNow> bodies;                      ///< one per body of the scene, or none: they are as in the scene
   std::optional<CameraPose> camera = std::nullopt;  ///< the present view; empty: as in the scene
 };

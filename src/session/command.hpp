@@ -50,6 +50,13 @@ struct PlacePinsCommand {
 struct MovePinsCommand {
   Vec3 by = Vec3::Zero();  ///< [m]
 };
+/// Replaces the keyframes of pins that move without a body.
+struct SetPinPathsCommand {
+  std::vector<scene::PinPath> paths;  ///< a vertex is in one of them at most
+  /// Whether the pins go from where their earlier path has them now to where the new one has them. Otherwise they are
+  /// there already.
+  bool moves = true;
+};
 /// Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay where they are.
 struct UntangleCommand {};
 /// Puts the cloth at rest into other positions, as dressing a body does.
@@ -102,8 +109,8 @@ struct LoadSceneCommand {
 /// All commands to a running simulation.
 using Command = std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
                              ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand,
-                             SetPinsCommand, PlacePinsCommand, MovePinsCommand, UntangleCommand, PlaceClothCommand,
-                             SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetFigureCommand,
+                             SetPinsCommand, PlacePinsCommand, MovePinsCommand, SetPinPathsCommand, UntangleCommand,
+                             PlaceClothCommand, SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetFigureCommand,
                              SetCostBudgetCommand, ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.

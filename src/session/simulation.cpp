@@ -37,6 +37,8 @@ void Simulation::step() {
   limitAttachment();
   bodies_.advance(state_.time, settings_.step.timeStep);
   inputs_.bodies = &bodies_.steps();
+  movedPins_ = scene::movedPins(*pinPaths_, state_.positions, state_.time, settings_.step.timeStep);
+  inputs_.movedPins = movedPins_.empty() ? nullptr : &movedPins_;
   inputs_.onProgress = onProgress_ ? &onProgress_ : nullptr;
   stepper_->keepContactWork(balance_.has_value());
   stepper_->keepContactLoads(isObserved());

@@ -101,6 +101,7 @@ class Simulation {
   void on(const SetPinsCommand& command);
   void on(const PlacePinsCommand& command);
   void on(const MovePinsCommand& command);
+  void on(const SetPinPathsCommand& command);
   void on(const UntangleCommand& command);
   void on(const PlaceClothCommand& command);
   void on(const SwitchBodyCommand& command);
@@ -155,8 +156,10 @@ class Simulation {
   sim::StepInputs inputs_;  // its attachment is the current one
   std::function<void()> onProgress_;
   sim::contact::BodyWorld bodies_;
-  std::int64_t stepIndex_ = 0;   // since the last reset
-  std::int64_t stepsTaken_ = 0;  // since the scene was loaded
+  std::shared_ptr<const std::vector<scene::PinPath>> pinPaths_;  // never null
+  std::vector<sim::MovedPin> movedPins_;                         // in the next step
+  std::int64_t stepIndex_ = 0;                                   // since the last reset
+  std::int64_t stepsTaken_ = 0;                                  // since the scene was loaded
   std::int64_t version_ = 0;
   bool paused_ = false;
   bool observed_ = false;

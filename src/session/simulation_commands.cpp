@@ -206,6 +206,28 @@ void Simulation::on(const MovePinsCommand& command) {
   }
 }
 
+void Simulation::on(const SetPinPathsCommand& command) {
+  std::vector<bool> isTaken(model_->pinned.size(), false);
+  for (const scene::PinPath& path : command.paths) {
+    if (const auto fault = scene::faultOf(path.motion)) {
+      throw messages::InputError(*fault);
+    }
+    for (const int vertex : path.vertices) {
+      if (isTaken[requireVertex(vertex)]) {
+        throw messages::InputError("the vertex " + std::to_string(vertex) + " has keyframes twice");
+      }
+      isTaken[vertex] = true;
+    }
+  }
+  if (command.moves) {
+    const PinMoves moves = movesBetween(*pinPaths_, command.paths, *model_, state_);
+    if (!moves.vertices.empty()) {
+      on(PlacePinsCommand{moves.vertices, moves.places});
+    }
+  }
+  pinPaths_ = std::make_shared<const std::vector<scene::PinPath>>(command.paths);
+}
+
 void Simulation::on(const SwitchBodyCommand& command) {
   bodies_.switchOn(requireBody(command.body), command.on);
 }
@@ -300,6 +322,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   requireSolversForMaterial(command.scene->settings);
   scene_ = command.scene;
   placedStart_.reset();
+  pinPaths_ = std::make_shared<const std::vector<scene::PinPath>>(scene_->pinPaths);
   cloth_.use(scene_->model, scene_->seams);
   model_ = cloth_.model();
   settings_ = scene_->settings;

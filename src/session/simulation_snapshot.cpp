@@ -7,6 +7,7 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.model = cloth_.pieces();
   snapshot.positions = state_.positions;
   snapshot.placedStart = placedStart_;
+  snapshot.pinPaths = pinPaths_;
   snapshot.step = stepIndex_;
   snapshot.version = version_;
   snapshot.time = state_.time;

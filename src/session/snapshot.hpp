@@ -52,6 +52,8 @@ struct Snapshot {
   std::vector<double> contactImpulses;
   /// Where a PlaceClothCommand let the scene start [m]; null: it starts as it was built.
   std::shared_ptr<const std::vector<Vec3>> placedStart;
+  /// Of pins that move without a body; never null.
+  std::shared_ptr<const std::vector<scene::PinPath>> pinPaths = std::make_shared<std::vector<scene::PinPath>>();
   std::int64_t step = 0;        ///< steps since the scene was loaded or reset
   std::int64_t version = 0;     ///< increases with every snapshot that differs from the one before
   double time = 0.0;            ///< simulated [s]

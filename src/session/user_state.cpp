@@ -23,7 +23,13 @@ std::vector<int> verticesOf(const std::vector<PinPlace>& pins) {
   return vertices;
 }
 
-bool isCarried(int vertex, const scene::Scene& scene) {
+/// Whether a body or keyframes move a pin.
+bool isCarried(int vertex, const scene::Scene& scene, const std::vector<scene::PinPath>& paths) {
+  if (std::ranges::any_of(paths, [&](const scene::PinPath& path) {
+        return std::ranges::find(path.vertices, vertex) != path.vertices.end();
+      })) {
+    return true;
+  }
   return std::ranges::any_of(*scene.bodies, [&](const sim::contact::Body& body) {
     return std::ranges::any_of(body.pins, [&](const sim::contact::CarriedPin& pin) { return pin.vertex == vertex; });
   });
@@ -37,7 +43,7 @@ void addPinCommands(const UserState& from, const UserState& to, const scene::Sce
   const std::vector<int> before = verticesOf(*from.pins);
   PlacePinsCommand places;
   for (const PinPlace& pin : *to.pins) {
-    if (!std::ranges::binary_search(before, pin.vertex) && !isCarried(pin.vertex, scene)) {
+    if (!std::ranges::binary_search(before, pin.vertex) && !isCarried(pin.vertex, scene, *to.pinPaths)) {
       places.vertices.push_back(pin.vertex);
       places.places.push_back(pin.place);
     }
@@ -82,7 +88,7 @@ std::shared_ptr<const std::vector<PinPlace>> pinsOf(const Snapshot& snapshot) {
 }
 
 UserState userStateOf(const Snapshot& snapshot, std::shared_ptr<const std::vector<PinPlace>> pins) {
-  UserState state{snapshot.settings, std::move(pins), {}};
+  UserState state{snapshot.settings, std::move(pins), {}, snapshot.pinPaths};
   for (const BodyStatus& body : snapshot.bodies) {
     state.bodies.push_back({body.on, body.targetShift, body.surface, body.figure});
   }
@@ -106,7 +112,8 @@ bool havePinsInCommon(const UserState& a, const UserState& b) {
 }
 
 bool areSame(const UserState& a, const UserState& b) {
-  return a.bodies == b.bodies && havePinsInCommon(a, b) && changedSettings(a.settings, b.settings).empty();
+  return a.bodies == b.bodies && havePinsInCommon(a, b) && *a.pinPaths == *b.pinPaths &&
+         changedSettings(a.settings, b.settings).empty();
 }
 
 std::vector<Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {
@@ -141,6 +148,9 @@ std::vector<Command> settingCommands(const settings::Settings& from, const setti
 std::vector<Command> commandsBetween(const UserState& from, const UserState& to, const scene::Scene& scene) {
   std::vector<Command> commands = settingCommands(from.settings, to.settings);
   addPinCommands(from, to, scene, commands);
+  if (*from.pinPaths != *to.pinPaths) {
+    commands.emplace_back(SetPinPathsCommand{*to.pinPaths});
+  }
   addBodyCommands(from, to, commands);
   return commands;
 }
@@ -151,8 +161,9 @@ bool changesUserState(const Command& command) {
         using Type = std::decay_t<decltype(each)>;
         return std::is_same_v<Type, SetSettingCommand> || std::is_same_v<Type, UseFabricCommand> ||
                std::is_same_v<Type, TogglePinCommand> || std::is_same_v<Type, SetPinsCommand> ||
-               std::is_same_v<Type, SwitchBodyCommand> || std::is_same_v<Type, SetSurfaceCommand> ||
-               std::is_same_v<Type, MoveBodyCommand> || std::is_same_v<Type, SetFigureCommand>;
+               std::is_same_v<Type, SetPinPathsCommand> || std::is_same_v<Type, SwitchBodyCommand> ||
+               std::is_same_v<Type, SetSurfaceCommand> || std::is_same_v<Type, MoveBodyCommand> ||
+               std::is_same_v<Type, SetFigureCommand>;
       },
       command);
 }

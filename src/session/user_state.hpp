@@ -27,8 +27,9 @@ struct BodyChoice {
 /// All that a user can change about a running scene: its settings, pins and bodies. Undo goes back to an earlier one.
 struct UserState {
   settings::Settings settings;
-  std::shared_ptr<const std::vector<PinPlace>> pins;  ///< in the order of the vertices; never null
-  std::vector<BodyChoice> bodies;                     ///< one per body of the scene
+  std::shared_ptr<const std::vector<PinPlace>> pins;            ///< in the order of the vertices; never null
+  std::vector<BodyChoice> bodies;                               ///< one per body of the scene
+  std::shared_ptr<const std::vector<scene::PinPath>> pinPaths;  ///< of pins that move without a body; never null
 };
 
 /// The pinned vertices of a snapshot, in order.

@@ -59,6 +59,12 @@ void addPins(const session::UserState& from, const session::UserState& to, std::
                                              count > 0 ? "set" : "released"));
 }
 
+void addPinPaths(const session::UserState& from, const session::UserState& to, std::vector<std::string>& changes) {
+  if (*from.pinPaths != *to.pinPaths && !isOtherMesh(from, to)) {
+    changes.emplace_back("keyframes of pins");
+  }
+}
+
 void addFigure(const std::string& name, const figure::FigureOptions& before, const figure::FigureOptions& after,
                std::vector<std::string>& changes) {
   if (before.motion != after.motion) {
@@ -106,6 +112,7 @@ std::string changeInWords(const session::UserState& from, const session::UserSta
   std::vector<std::string> changes;
   addSettings(from.settings, to.settings, changes);
   addPins(from, to, changes);
+  addPinPaths(from, to, changes);
   addBodies(from, to, scene, changes);
   constexpr std::size_t shownInFull = 2;
   std::string words;

@@ -2,11 +2,14 @@
 
 #include "render/picking.hpp"
 #include "sim/model/bounds.hpp"
+#include "ui/pin_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <numbers>
+#include <utility>
 
 namespace drape::ui {
 namespace {
@@ -67,6 +70,10 @@ void InteractionController::handle(const InputEvent& event, const session::Snaps
   }
   const auto* moving = std::get_if<MovingBody>(&gesture_);
   if (moving != nullptr && moving->scene != snapshot.scene) {
+    gesture_ = Idle{};
+  }
+  const auto* pins = std::get_if<MovingPins>(&gesture_);
+  if (pins != nullptr && pins->scene != snapshot.scene) {
     gesture_ = Idle{};
   }
   std::visit([&](const auto& each) { on(each, snapshot, output); }, event);
@@ -223,6 +230,9 @@ void InteractionController::on(const PressEvent& event, const session::Snapshot&
 
 void InteractionController::pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   if (selection_.mode() != SelectionMode::Off) {
+    if (holdPins(event, snapshot)) {
+      return;
+    }
     using Change = VertexSelection::Change;
     selection_.press(event.position, event.control ? Change::Remove : event.shift ? Change::Add : Change::Replace);
     gesture_ = Selecting{};
@@ -232,6 +242,23 @@ void InteractionController::pressLeft(const PressEvent& event, const session::Sn
     gesture_ = Orbiting{};
     turns_ = false;
   }
+}
+
+/// Starts to drag the selected pins when the mouse is on one of them.
+bool InteractionController::holdPins(const PressEvent& event, const session::Snapshot& snapshot) {
+  constexpr double reach = 7.0;  // [window units]
+  selection_.follow(snapshot);
+  const std::vector<int> pins = pinnedOf(snapshot, selection_.vertices());
+  const VertexSelection::Projection projected = toWindow();
+  const auto distance = [&](int pin) { return (projected(snapshot.positions[pin]) - event.position).norm(); };
+  const auto nearest = std::ranges::min_element(pins, {}, distance);
+  if (event.shift || event.control || nearest == pins.end() || distance(*nearest) > reach) {
+    return false;
+  }
+  MovingPins moving{pins, {}, snapshot.positions[*nearest], snapshot.scene};
+  std::ranges::transform(pins, std::back_inserter(moving.places), [&](int pin) { return snapshot.positions[pin]; });
+  gesture_ = std::move(moving);
+  return true;
 }
 
 bool InteractionController::recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot) {
@@ -313,6 +340,11 @@ void InteractionController::on(const MoveEvent& event, const session::Snapshot& 
   } else if (const auto* moving = std::get_if<MovingBody>(&gesture_)) {
     const Vec3 target = movedTo(event.position, moving->point);
     output.commands.emplace_back(session::MoveBodyCommand{moving->body, moving->shift + target - moving->point});
+  } else if (const auto* pins = std::get_if<MovingPins>(&gesture_)) {
+    const Vec3 by = movedTo(event.position, pins->point) - pins->point;
+    session::PlacePinsCommand command{pins->pins, pins->places};
+    std::ranges::for_each(command.places, [&](Vec3& place) { place += by; });
+    output.commands.emplace_back(std::move(command));
   }
 }
 

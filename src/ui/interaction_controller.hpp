@@ -97,6 +97,13 @@ class InteractionController {
     std::shared_ptr<const scene::Scene> scene;
   };
 
+  struct MovingPins {
+    std::vector<int> pins;
+    std::vector<Vec3> places;   ///< of the pins at the start of the gesture [m]
+    Vec3 point = Vec3::Zero();  ///< of the pin that was hit [m]
+    std::shared_ptr<const scene::Scene> scene;
+  };
+
   void on(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void on(const ReleaseEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void on(const MoveEvent& event, const session::Snapshot& snapshot, UiOutput& output);
@@ -107,6 +114,7 @@ class InteractionController {
   void pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot);
   void pickVertex(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) const;
+  bool holdPins(const PressEvent& event, const session::Snapshot& snapshot);
   bool attach(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void endGesture(UiOutput& output);
   void moveCamera(const session::Snapshot& snapshot, const std::function<void(render::Camera&)>& move);
@@ -123,7 +131,7 @@ class InteractionController {
   bool turns_ = false;  // as a turntable
   VertexSelection selection_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
-  std::variant<Idle, Orbiting, Panning, Selecting, Pulling, MovingBody> gesture_;
+  std::variant<Idle, Orbiting, Panning, Selecting, Pulling, MovingBody, MovingPins> gesture_;
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

@@ -60,10 +60,20 @@ struct PendingFigure {
   double since = 0.0;  ///< [s]
 };
 
+/// What the user chose for the keyframes of pins, until the simulation has it.
+struct PendingKeyframes {
+  std::shared_ptr<const scene::Scene> scene;
+  std::vector<int> pins;
+  sim::contact::BodyMotion motion;
+  double since = 0.0;  ///< [s]
+};
+
 /// The state of the panels that persists between frames.
 struct PanelMemory {
   PendingSettings pending;
   std::optional<PendingFigure> pendingFigure;
+  std::optional<PendingKeyframes> pendingKeyframes;
+  std::size_t chosenKey = 0;  ///< of the keyframes of the selected pins
   TypedText typed;
   std::optional<bool> openSections;      ///< open or close all sections in the next frame
   std::map<std::string, bool> sections;  ///< by title, whether the user opened or closed them

@@ -54,6 +54,9 @@ void selectRow(PanelContext& context);
 /// The selected vertices in the picture, and a box with what can be done with them. Nothing while there are none.
 void selectionBox(PanelContext& context, const UiRect& view);
 
+/// The rows of that box for the keyframes of pins. Nothing without pins among the selected vertices.
+void pinKeyRows(PanelContext& context, const std::vector<int>& selected, float width);
+
 /// The rows of the section View for the camera.
 void cameraRows(PanelContext& context);
 

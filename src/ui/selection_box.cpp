@@ -91,6 +91,7 @@ void selectionBox(PanelContext& context, const UiRect& view) {
   if (iconButton(context, "end_selection", Icon::None, "Done (Esc)", width)) {
     request(context, UiAction::EndSelection);
   }
+  pinKeyRows(context, selection.vertices, 17.0F * line);
   endCorner();
 }
 

@@ -143,7 +143,8 @@ enum class SelectionMode { Off, Rectangle, Border };
 struct SelectionView {
   SelectionMode mode = SelectionMode::Off;
   std::optional<UiRect> rectangle;  ///< that is being dragged [window units]
-  std::vector<Vec2> points;         ///< of the selected vertices [window units]
+  std::vector<int> vertices;        ///< that are selected, sorted
+  std::vector<Vec2> points;         ///< of these vertices [window units]
   int pinned = 0;                   ///< how many of them are pinned
 };
 

@@ -104,7 +104,7 @@ void VertexSelection::follow(const session::Snapshot& snapshot) {
 }
 
 SelectionView VertexSelection::view(const session::Snapshot& snapshot, const Projection& toWindow) const {
-  SelectionView result{.mode = mode_, .rectangle = std::nullopt, .points = {}, .pinned = 0};
+  SelectionView result{.mode = mode_, .rectangle = std::nullopt, .vertices = selected_, .points = {}, .pinned = 0};
   if (start_ && mode_ == SelectionMode::Rectangle) {
     result.rectangle = rectangle();
   }

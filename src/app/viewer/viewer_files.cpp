@@ -59,7 +59,7 @@ WindowPlace placeOf(GLFWwindow* window) {
 
 /// The state of the user, as a scene file has it. The number of threads belongs to this computer.
 scene::SceneNow sceneNow(const session::UserState& state, const session::Snapshot& snapshot) {
-  scene::SceneNow now{state.settings, snapshot.model->pinned, {}};
+  scene::SceneNow now{state.settings, snapshot.model->pinned, *state.pinPaths, {}};
   settings::Settings opened = snapshot.scene->description.settings;
   const int threadsOfScene = opened.step.threads;
   ui::useWindowDefaults(opened);

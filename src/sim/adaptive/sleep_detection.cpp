@@ -98,7 +98,8 @@ bool isUndisturbed(const SleepConditions& conditions) {
   const auto& [parameters, contact, inputs, errorTolerance] = conditions;
   const bool damped = parameters.material.damping > 0.0 || parameters.air.drag > 0.0;
   const bool still = inputs.bodies == nullptr || std::all_of(inputs.bodies->begin(), inputs.bodies->end(), isStill);
-  return damped && still && !inputs.attachment;
+  const bool pinsMove = inputs.movedPins != nullptr && !inputs.movedPins->empty();
+  return damped && still && !pinsMove && !inputs.attachment;
 }
 
 bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& conditions, StepMemory& memory,

@@ -19,10 +19,18 @@ struct BodyStep;
 /// the start of the substep; the step is lost.
 struct StepStopped {};
 
+/// The displacement of a pin over a step.
+struct MovedPin {
+  int vertex = 0;
+  Vec3 by = Vec3::Zero();  ///< [m]
+};
+
 /// External actions on the cloth during one step.
 struct StepInputs {
   std::optional<Attachment> attachment;
   const std::vector<contact::BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
+  /// Pins that move without a body, each at constant velocity. Null: none; pins that are released do not move.
+  const std::vector<MovedPin>* movedPins = nullptr;
   /// Contacts that act in every substep (SolverInfo::resolvesContacts). The solver stores their impulses in
   /// them. Null: none.
   std::vector<SubstepContact>* contacts = nullptr;

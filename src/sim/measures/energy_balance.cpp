@@ -6,6 +6,8 @@
 #include "sim/forces/kernels.hpp"
 #include "sim/forces/stability.hpp"
 
+#include <algorithm>
+
 namespace drape::sim {
 namespace {
 
@@ -51,23 +53,26 @@ Vec3 reactionForce(const ClothModel& model, const StepParameters& parameters, co
   return -internalForceOn(model, parameters, state, vertex) - gravityAndAir(model, parameters, state, vertex);
 }
 
-/// The work of bodies on the pins that they move.
-double bodyPinWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                   const ClothState& before, const ClothState& after) {
-  if (inputs.bodies == nullptr) {
-    return 0.0;
-  }
+/// The work on the pins that move in the step, with bodies or without.
+double pinWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+               const ClothState& before, const ClothState& after) {
   StepParameters part = parameters;
   part.timeStep = parameters.timeStep / parameters.substeps;
   double work = 0.0;
-  for (const contact::BodyStep& body : *inputs.bodies) {
-    for (const contact::CarriedPin& pin : body.body->pins) {
-      const auto v = static_cast<std::size_t>(pin.vertex);
-      if (model.pinned[v]) {
-        const Vec3 motion = after.positions[v] - before.positions[v];
-        work += 0.5 * motion.dot(reactionForce(model, part, before, v) + reactionForce(model, part, after, v));
-      }
+  const auto add = [&](int vertex) {
+    const auto v = static_cast<std::size_t>(vertex);
+    if (model.pinned[v]) {
+      const Vec3 motion = after.positions[v] - before.positions[v];
+      work += 0.5 * motion.dot(reactionForce(model, part, before, v) + reactionForce(model, part, after, v));
     }
+  };
+  if (inputs.bodies != nullptr) {
+    for (const contact::BodyStep& body : *inputs.bodies) {
+      std::ranges::for_each(body.body->pins, [&](const contact::CarriedPin& pin) { add(pin.vertex); });
+    }
+  }
+  if (inputs.movedPins != nullptr) {
+    std::ranges::for_each(*inputs.movedPins, [&](const MovedPin& pin) { add(pin.vertex); });
   }
   return work;
 }
@@ -94,7 +99,7 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   const ClothState& solved = unresolved != nullptr ? *unresolved : after;  // without the correction by contact
   damping_ += dampingWork(model, actingMaterial(model, parameters).damping, before, solved);
   air_ += airWork(model, parameters, before, solved);
-  contact_ += bodyPinWork(model, parameters, inputs, before, solved);
+  contact_ += pinWork(model, parameters, inputs, before, solved);
   if (inputs.attachment) {
     attachment_ += attachmentWork(model, *inputs.attachment, before, solved);
   }

@@ -72,6 +72,18 @@ void keepAwake(ClothState& state) {
   }
 }
 
+/// The displacements of pins in a part of a step.
+std::vector<MovedPin> partOf(const std::vector<MovedPin>* whole, double share) {
+  std::vector<MovedPin> part;
+  if (whole != nullptr) {
+    part = *whole;
+  }
+  for (MovedPin& pin : part) {
+    pin.by *= share;
+  }
+  return part;
+}
+
 /// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
   return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
@@ -191,6 +203,8 @@ StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepPar
   part.timeStep = parameters.timeStep / contactSubsteps;
   part.substeps = (parameters.substeps + contactSubsteps - 1) / contactSubsteps;
   StepInputs acting = inputs;
+  const std::vector<MovedPin> movedPins = partOf(inputs.movedPins, 1.0 / contactSubsteps);
+  acting.movedPins = movedPins.empty() ? nullptr : &movedPins;
   StepReport total;
   for (int i = 0; i < contactSubsteps; ++i) {
     if (keepsContactWork_ && contact_.unresolved() != nullptr && i > 0) {
@@ -303,15 +317,22 @@ void Stepper::advanceSubstepContacts(double timeStep) {
 
 void Stepper::planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state) {
   pinMotions_.clear();
-  if (inputs.bodies == nullptr) {
-    return;
-  }
-  for (const contact::BodyStep& body : *inputs.bodies) {
-    for (const contact::CarriedPin& pin : body.body->pins) {
-      const auto v = static_cast<std::size_t>(pin.vertex);
-      if (model.pinned[v]) {
-        pinMotions_.push_back({v, state.positions[v], contact::carriedBy(body, pin, state.positions[v])});
+  const auto plan = [&](int vertex, const auto& endOf) {
+    const auto v = static_cast<std::size_t>(vertex);
+    if (model.pinned[v]) {
+      pinMotions_.push_back({v, state.positions[v], endOf(state.positions[v])});
+    }
+  };
+  if (inputs.bodies != nullptr) {
+    for (const contact::BodyStep& body : *inputs.bodies) {
+      for (const contact::CarriedPin& pin : body.body->pins) {
+        plan(pin.vertex, [&](const Vec3& from) { return contact::carriedBy(body, pin, from); });
       }
+    }
+  }
+  if (inputs.movedPins != nullptr) {
+    for (const MovedPin& pin : *inputs.movedPins) {
+      plan(pin.vertex, [&](const Vec3& from) { return Vec3(from + pin.by); });
     }
   }
 }

@@ -76,8 +76,13 @@ double wrapped(const BodyMotion& motion, double time) {
   return first + (into < 0.0 ? into + period : into);
 }
 
-/// The interpolated keyframe, without the spin.
-Keyframe keyAt(const BodyMotion& motion, double time) {
+}  // namespace
+
+Pose poseOf(const Vec3& position, const Vec3& rotation) {
+  return {turnBy(rotation).normalized(), position};
+}
+
+Keyframe keyframeAt(const BodyMotion& motion, double time) {
   const std::vector<Keyframe>& keys = motion.keyframes;
   if (keys.empty()) {
     return {};
@@ -96,14 +101,8 @@ Keyframe keyAt(const BodyMotion& motion, double time) {
   return {at, along(motion, k, s, &Keyframe::position), along(motion, k, s, &Keyframe::rotation)};
 }
 
-}  // namespace
-
-Pose poseOf(const Vec3& position, const Vec3& rotation) {
-  return {turnBy(rotation).normalized(), position};
-}
-
 Pose poseAt(const BodyMotion& motion, double time) {
-  const Keyframe key = keyAt(motion, time);
+  const Keyframe key = keyframeAt(motion, time);
   return {(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};
 }
 

@@ -12,6 +12,8 @@ struct Keyframe {
   double time = 0.0;             ///< [s]
   Vec3 position = Vec3::Zero();  ///< [m]
   Vec3 rotation = Vec3::Zero();  ///< axis times angle [rad]; more than a turn is allowed
+
+  bool operator==(const Keyframe&) const = default;
 };
 
 /// The prescribed motion of a body. Between keyframes each component follows a cubic curve with continuous velocity
@@ -25,10 +27,15 @@ struct BodyMotion {
   Vec3 spin = Vec3::Zero();  ///< additional rotation about the origin of its frame: axis times angular velocity [rad/s]
 
   [[nodiscard]] bool moves() const { return keyframes.size() > 1 || !spin.isZero(0.0); }
+
+  bool operator==(const BodyMotion&) const = default;
 };
 
 /// The pose with this position [m] and rotation, axis times angle [rad].
 [[nodiscard]] Pose poseOf(const Vec3& position, const Vec3& rotation);
+
+/// The interpolated values of a motion, without its spin. Zero without keyframes.
+[[nodiscard]] Keyframe keyframeAt(const BodyMotion& motion, double time);
 
 [[nodiscard]] Pose poseAt(const BodyMotion& motion, double time);
 
