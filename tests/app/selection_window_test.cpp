@@ -96,6 +96,27 @@ TEST(Selection, ABorderIsSelectedFromThePanelAndPinned) {
   viewer.waitUntil("no selection", [](const Json& s) { return !s["buttons"].contains("overlay.selection"); });
 }
 
+TEST(Selection, PinsGetKeyframesByADragAndAButton) {
+  ViewerDriver viewer({"grid", "--paused", "--set", "grid.resolution=9", "--set", "pins=none"});
+  const Json start = viewer.state();
+  viewer.key("b");
+  viewer.click(viewer.onCloth());
+  viewer.waitUntil("a vertex", [](const Json& s) { return selectedIn(s) == 1; });
+  viewer.key("p");
+  viewer.waitUntil("a pin", [](const Json& s) { return s["pins"] == 1; });
+  viewer.key("space");
+  viewer.waitUntil("some time", [](const Json& s) { return s["time"].get<double>() > 0.2; });
+  viewer.key("space");
+  viewer.waitUntil("a pause", [](const Json& s) { return s["paused"].get<bool>(); });
+  viewer.click(viewer.find("button.add_key"));
+  const Json keyed = viewer.waitUntil("two keyframes", [](const Json& s) {
+    return s["buttons"].contains("button.key.1") && !s["buttons"].contains("button.key.2");
+  });
+  viewer.tap("ctrl+z");
+  viewer.waitUntil("no keyframes", [](const Json& s) { return !s["buttons"].contains("button.key.0"); });
+  EXPECT_TRUE(viewer.process().running());
+}
+
 TEST(KeptViews, ComeBackInTheNextWindow) {
   const TemporaryFolder home;
   Json kept;

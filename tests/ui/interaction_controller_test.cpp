@@ -304,5 +304,28 @@ TEST_F(BodyInteraction, OnlyActiveFiniteBodiesArePicked) {
   EXPECT_FALSE(controller_.holdsBody());
 }
 
+TEST_F(Interaction, ADragOnASelectedPinMovesAllSelectedPinsParallelToTheView) {
+  const int corner = 0;
+  const int other = static_cast<int>(snapshot_.positions.size()) - 1;
+  simulation_.apply(session::SetPinsCommand{{corner, other}});
+  simulation_.capture(snapshot_);
+  UiOutput ignored;
+  (void)controller_.select(UiAction::SelectRectangle, snapshot_, ignored);
+  const Vec2 at = inWindow(snapshot_.positions[corner]);
+  (void)send(PressEvent{.position = Vec2(view_.x + 1.0, view_.y + 1.0)});
+  (void)send(MoveEvent{{view_.x + view_.width - 1.0, view_.y + view_.height - 1.0}});
+  (void)send(ReleaseEvent{});
+  const std::vector<Vec3> before = snapshot_.positions;
+  EXPECT_TRUE(send(PressEvent{.position = at}).commands.empty());
+  const UiOutput moved = send(MoveEvent{at + Vec2(40.0, 25.0)});
+  ASSERT_EQ(moved.commands.size(), 1U);
+  const auto& command = std::get<session::PlacePinsCommand>(moved.commands.front());
+  EXPECT_EQ(command.vertices, (std::vector<int>{corner, other}));
+  EXPECT_NEAR((inWindow(command.places[0]) - at - Vec2(40.0, 25.0)).norm(), 0.0, 0.5);
+  EXPECT_NEAR((command.places[1] - before[other] - (command.places[0] - before[corner])).norm(), 0.0, 1e-12);
+  (void)send(ReleaseEvent{});
+  EXPECT_EQ(controller_.selection(snapshot_).vertices.size(), snapshot_.positions.size()) << "the selection stays";
+}
+
 }  // namespace
 }  // namespace drape::ui
