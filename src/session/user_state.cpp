@@ -82,7 +82,7 @@ std::shared_ptr<const std::vector<PinPlace>> pinsOf(const Snapshot& snapshot) {
 }
 
 UserState userStateOf(const Snapshot& snapshot, std::shared_ptr<const std::vector<PinPlace>> pins) {
-  UserState state{snapshot.settings, std::move(pins), {}};
+  UserState state{snapshot.settings, std::move(pins), {}, scene::placementsOf(snapshot.scene->description)};
   for (const BodyStatus& body : snapshot.bodies) {
     state.bodies.push_back({body.on, body.targetShift, body.surface, body.figure});
   }
@@ -106,7 +106,7 @@ bool havePinsInCommon(const UserState& a, const UserState& b) {
 }
 
 bool areSame(const UserState& a, const UserState& b) {
-  return a.bodies == b.bodies && havePinsInCommon(a, b) && changedSettings(a.settings, b.settings).empty();
+  return a.bodies == b.bodies && a.placements == b.placements && havePinsInCommon(a, b) && changedSettings(a.settings, b.settings).empty();
 }
 
 std::vector<Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {

@@ -54,6 +54,15 @@ void selectRow(PanelContext& context);
 /// The selected vertices in the picture, and a box with what can be done with them. Nothing while there are none.
 void selectionBox(PanelContext& context, const UiRect& view);
 
+/// The row that starts the mode Place.
+void placeRow(PanelContext& context);
+
+/// The gizmo in the picture, and a box with the placement of the chosen thing. Nothing while the mode Place is off.
+void placingBox(PanelContext& context, const UiRect& view);
+
+/// Draws the gizmo and the box around the thing behind all panels.
+void drawGizmo(PanelContext& context, const PlacingView& placing, const UiRect& view);
+
 /// The rows of the section View for the camera.
 void cameraRows(PanelContext& context);
 

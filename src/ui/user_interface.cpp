@@ -134,6 +134,7 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   }
   pickedPanel(panel, view);
   selectionBox(panel, view);
+  placingBox(panel, view);
   dialog(panel, view);
 }
 

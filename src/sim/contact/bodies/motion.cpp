@@ -104,7 +104,11 @@ Pose poseOf(const Vec3& position, const Vec3& rotation) {
 
 Pose poseAt(const BodyMotion& motion, double time) {
   const Keyframe key = keyAt(motion, time);
-  return {(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};
+  const Pose own{(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};
+  if (!motion.placement) {
+    return own;
+  }
+  return {(motion.placement->rotation * own.rotation).normalized(), motion.placement->toWorld(own.position)};
 }
 
 }  // namespace drape::sim::contact
