@@ -11,10 +11,8 @@
 namespace drape::scene {
 namespace {
 
-void require(const Placement& placement) {
-  const bool isNear = placement.position.allFinite() && placement.position.cwiseAbs().maxCoeff() <= farAway;
-  if (!isNear || !placement.rotation.allFinite() ||
-      !(placement.scale >= minPlacementScale && placement.scale <= maxPlacementScale)) {
+void requireAllowed(const Placement& placement) {
+  if (!isAllowed(placement)) {
     throw messages::InputError(
         fmt::format("a placement needs a position of at most {} m, a finite rotation and a scale from {} to {}",
                     farAway, minPlacementScale, maxPlacementScale));
@@ -29,12 +27,17 @@ void assign(const std::vector<Placement>& placements, std::vector<Description>& 
                                            placements.size(), what, descriptions.size()));
   }
   for (std::size_t i = 0; i < placements.size(); ++i) {
-    require(placements[i]);
+    requireAllowed(placements[i]);
     descriptions[i].placement = placements[i];
   }
 }
 
 }  // namespace
+
+bool isAllowed(const Placement& placement) {
+  return placement.position.allFinite() && placement.position.cwiseAbs().maxCoeff() <= farAway &&
+         placement.rotation.allFinite() && placement.scale >= minPlacementScale && placement.scale <= maxPlacementScale;
+}
 
 const Placement& Placements::of(const Placeable& thing) const {
   return thing.kind == Placeable::Kind::Cloth ? cloths.at(thing.index) : bodies.at(thing.index);

@@ -36,6 +36,9 @@ struct Placements {
 /// its range.
 [[nodiscard]] SceneDescription withPlacements(SceneDescription description, const Placements& placements);
 
+/// Whether a placement is within its range: near enough to the origin of the scene, and of a useful scale.
+[[nodiscard]] bool isAllowed(const Placement& placement);
+
 /// Every cloth and body, in the order of the description.
 [[nodiscard]] std::vector<Placeable> placeablesOf(const SceneDescription& description);
 

@@ -6,6 +6,8 @@
 namespace drape::ui {
 namespace {
 
+constexpr double farthest = 100.0;  // coordinate of the middle of a thing that is dragged [m]
+
 /// The corners of a box, in the order of three bits.
 std::array<Vec3, 8> cornersOf(const Eigen::AlignedBox3d& box) {
   std::array<Vec3, 8> corners;
@@ -42,7 +44,7 @@ scene::Placement changed(const scene::Placement& from, const GizmoChange& change
                          const Vec3& middle) {
   switch (tool) {
     case PlacingTool::Move:
-      return movedTo(from, middle, from.applied(middle) + change.move);
+      return movedTo(from, middle, (from.applied(middle) + change.move).cwiseMax(-farthest).cwiseMin(farthest));
     case PlacingTool::Turn:
       return turnedAbout(from, middle, Eigen::Quaterniond(Eigen::AngleAxisd(change.angle, change.axis)));
     case PlacingTool::Scale:
@@ -157,6 +159,10 @@ void Placing::place(const scene::Placement& placement, const session::Snapshot& 
   edited_.reset();
   scene::Placements all = placements(snapshot);
   if (all.of(thing_) == placement) {
+    return;
+  }
+  if (!scene::isAllowed(placement)) {
+    output.hint = "This is too far from the origin of the scene. Nothing was placed.";
     return;
   }
   all.of(thing_) = placement;
