@@ -43,9 +43,7 @@ scene::SceneParts absoluteParts(scene::SceneParts parts) {
 
 Json toJson(const scene::Placement& placement) {
   const auto list = [](const Vec3& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); };
-  return {{"position", list(placement.position)},
-          {"rotation", list(placement.rotation)},
-          {"scale", placement.scale}};
+  return {{"position", list(placement.position)}, {"rotation", list(placement.rotation)}, {"scale", placement.scale}};
 }
 
 Json toJson(const std::vector<scene::Placement>& placements) {

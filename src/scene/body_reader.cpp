@@ -44,8 +44,8 @@ const std::vector<ShapeKeys>& shapes() {
 
 /// Allows only the keys of this shape.
 void checkKeys(const TomlReader& table, const std::string& shape) {
-  std::vector<std::string_view> keys{"name", "shape", "position", "rotation", "placement", "spin",
-                                     "keyframes", "loop", "drawn"};
+  std::vector<std::string_view> keys{"name", "shape",     "position", "rotation", "placement",
+                                     "spin", "keyframes", "loop",     "drawn"};
   keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
   std::string known;
   for (const ShapeKeys& each : shapes()) {

@@ -39,11 +39,11 @@ bool isAllowed(const Placement& placement) {
          placement.rotation.allFinite() && placement.scale >= minPlacementScale && placement.scale <= maxPlacementScale;
 }
 
-const Placement& Placements::of(const Placeable& thing) const {
+const Placement& Placements::of(const Placeable& thing) const& {
   return thing.kind == Placeable::Kind::Cloth ? cloths.at(thing.index) : bodies.at(thing.index);
 }
 
-Placement& Placements::of(const Placeable& thing) {
+Placement& Placements::of(const Placeable& thing) & {
   return thing.kind == Placeable::Kind::Cloth ? cloths.at(thing.index) : bodies.at(thing.index);
 }
 

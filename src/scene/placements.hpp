@@ -22,8 +22,9 @@ struct Placements {
   std::vector<Placement> cloths;
   std::vector<Placement> bodies;
 
-  [[nodiscard]] const Placement& of(const Placeable& thing) const;
-  [[nodiscard]] Placement& of(const Placeable& thing);
+  [[nodiscard]] const Placement& of(const Placeable& thing) const&;
+  [[nodiscard]] Placement& of(const Placeable& thing) &;
+  [[nodiscard]] Placement of(const Placeable& thing) && { return of(thing); }
 
   bool operator==(const Placements&) const = default;
 };

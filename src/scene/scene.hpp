@@ -138,8 +138,8 @@ struct ClothDescription {
   std::variant<GridSource, MeshFileSource> source;
   Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
   Vec3 rotation = Vec3::Zero();  ///< applied to the mesh first, about its own origin: axis times angle [rad]
-  /// Of the cloth at its start. Its scale is that of the rest shape, too. Pins, bands and seams refer to the cloth before
-  /// it, and so does the direction of warp.
+  /// Of the cloth at its start. Its scale is that of the rest shape, too. Pins, bands and seams refer to the cloth
+  /// before it, and so does the direction of warp.
   Placement placement;
   Placement writtenPlacement;  ///< the one in the scene file
   std::optional<Pleats> pleats;

@@ -120,7 +120,8 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
     several[maxCloths].fail(fmt::format("a scene can have at most {} cloths", maxCloths));
   }
   for (const TomlReader& table : several) {
-    table.allowOnly({"name", "mesh", "grid", "position", "rotation", "placement", "pleats", "bands", "pins", "settings"});
+    table.allowOnly(
+        {"name", "mesh", "grid", "position", "rotation", "placement", "pleats", "bands", "pins", "settings"});
     const std::string name = nameOfCloth(table, cloths);
     ClothDescription& cloth = cloths.emplace_back(readCloth(table, "[[cloths]]", folder));
     cloth.name = name;

@@ -106,7 +106,8 @@ bool havePinsInCommon(const UserState& a, const UserState& b) {
 }
 
 bool areSame(const UserState& a, const UserState& b) {
-  return a.bodies == b.bodies && a.placements == b.placements && havePinsInCommon(a, b) && changedSettings(a.settings, b.settings).empty();
+  return a.bodies == b.bodies && a.placements == b.placements && havePinsInCommon(a, b) &&
+         changedSettings(a.settings, b.settings).empty();
 }
 
 std::vector<Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {

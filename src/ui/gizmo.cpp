@@ -19,7 +19,7 @@ constexpr double reach = 8.0;     // from a line at which a press takes it
 
 // Sines below which a handle is hidden.
 constexpr double minArrow = 0.2;  // between an arrow and the direction of the view
-constexpr double minPlane = 0.2;  // between a plane or a ring and the direction of the view
+constexpr double minPlane = 0.2;  // between a square and the direction of the view; a ring below it rolls
 
 constexpr int ringPoints = 72;
 
@@ -161,6 +161,10 @@ double Gizmo::lengthIn(const GizmoPicture& picture) const {
   return scale_ * picture.unitAt(middle_);
 }
 
+double Gizmo::radius(const GizmoPicture& picture) const {
+  return armLength * lengthIn(picture);
+}
+
 std::vector<GizmoHandle> Gizmo::handles(const GizmoPicture& picture) const {
   const Vec3 direction = picture.directionTo(middle_);
   if (direction.dot(picture.back()) >= 0.0) {
@@ -174,8 +178,8 @@ std::vector<GizmoHandle> Gizmo::handles(const GizmoPicture& picture) const {
     const double cosine = std::abs(axisOf(handle).dot(direction));
     const double sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     const HandleShape shape = shapeOf(handle);
-    const bool isHidden = (shape == HandleShape::Arrow && sine < minArrow) ||
-                          ((shape == HandleShape::Square || shape == HandleShape::Ring) && cosine < minPlane);
+    const bool isHidden =
+        (shape == HandleShape::Arrow && sine < minArrow) || (shape == HandleShape::Square && cosine < minPlane);
     if (!isHidden) {
       shown.push_back(handle);
     }
@@ -274,8 +278,12 @@ GizmoHandle Gizmo::handleAt(const Vec2& place, const GizmoPicture& picture) cons
 }
 
 GizmoDrag::GizmoDrag(const Gizmo& gizmo, GizmoHandle handle, const Vec2& at, const GizmoPicture& picture)
-    : handle_(handle), middle_(gizmo.middle()), normal_(axisOf(handle)) {
-  if (normal_.isZero()) {
+    : handle_(handle), middle_(gizmo.middle()), normal_(axisOf(handle)), axis_(normal_) {
+  const bool isEdge = std::abs(normal_.dot(picture.directionTo(middle_))) < minPlane;
+  if (shapeOf(handle) == HandleShape::Ring && isEdge) {
+    rollRadius_ = gizmo.radius(picture);
+    normal_ = picture.back();
+  } else if (normal_.isZero()) {
     normal_ = picture.back();
   }
   taken_ = pointUnder(at, picture);
@@ -289,6 +297,12 @@ std::optional<Vec3> GizmoDrag::pointUnder(const Vec2& at, const GizmoPicture& pi
 
 /// Takes the angle that is nearest to the present one, so that a drag can turn by more than half a turn.
 void GizmoDrag::turnTo(const Vec3& point) {
+  if (rollRadius_ > 0.0) {
+    // The nearest point of the ring moves across the view by this vector for each radian and each metre of its radius.
+    const Vec3 across = axis_.cross(normal_).normalized();
+    turned_ = (point - *taken_).dot(across) / rollRadius_;
+    return;
+  }
   const Vec3 from = *taken_ - middle_;
   const Vec3 to = point - middle_;
   const double angle = std::atan2(from.cross(to).dot(normal_), from.dot(to));
@@ -308,7 +322,7 @@ GizmoChange GizmoDrag::to(const Vec2& at, const GizmoPicture& picture, bool snap
       moved_ = *point - *taken_;
     }
   }
-  GizmoChange change{moved_, normal_, turned_, factor_};
+  GizmoChange change{moved_, axis_, turned_, factor_};
   if (snaps) {
     for (double& part : change.move) {
       part = inSteps(part, moveStep);

@@ -41,7 +41,7 @@ class Gizmo {
   [[nodiscard]] const Vec3& middle() const { return middle_; }
 
   /// The handles of the tool, except those that cannot be dragged from where the eye is: arrows that point at it, and
-  /// planes and rings that are seen from their edge.
+  /// squares that are seen from their edge.
   [[nodiscard]] std::vector<GizmoHandle> handles(const GizmoPicture& picture) const;
 
   /// The outline of a handle in the window. A line has two points, a square four, a ring many.
@@ -52,6 +52,9 @@ class Gizmo {
 
   /// The handle at a place in the window, or None.
   [[nodiscard]] GizmoHandle handleAt(const Vec2& place, const GizmoPicture& picture) const;
+
+  /// The radius of a ring [m].
+  [[nodiscard]] double radius(const GizmoPicture& picture) const;
 
  private:
   [[nodiscard]] double lengthIn(const GizmoPicture& picture) const;
@@ -71,7 +74,8 @@ struct GizmoChange {
 };
 
 /// A drag of a handle. The change follows the mouse exactly: the point that was taken stays under it, on the axis, in
-/// the plane or on the ring of the handle. Where the mouse does not reach them, the change stays as it was.
+/// the plane or on the ring of the handle. A ring that is seen from its edge rolls under the mouse instead. Where the
+/// mouse does not reach them, the change stays as it was.
 class GizmoDrag {
  public:
   GizmoDrag(const Gizmo& gizmo, GizmoHandle handle, const Vec2& at, const GizmoPicture& picture);
@@ -88,6 +92,8 @@ class GizmoDrag {
   GizmoHandle handle_;
   Vec3 middle_;
   Vec3 normal_;                // of the plane in which the mouse moves; for an arrow its axis
+  Vec3 axis_;                  // of a ring
+  double rollRadius_ = 0.0;    // of a ring that rolls under the mouse; 0: it does not [m]
   std::optional<Vec3> taken_;  // the point that was taken
   Vec3 moved_ = Vec3::Zero();  // since then [m]
   double turned_ = 0.0;        // since then [rad]; more than a turn is possible

@@ -151,7 +151,7 @@ double PlacedShape::lowest(const scene::Placement& placement) const {
 }
 
 PlacedShape placedShapeOf(const scene::Scene& scene, const scene::Placeable& thing) {
-  const scene::Placement& placement = scene::placementsOf(scene.description).of(thing);
+  const scene::Placement placement = scene::placementsOf(scene.description).of(thing);
   if (thing.kind == scene::Placeable::Kind::Cloth) {
     std::vector<Vec3> start = scene.start.positions;
     const std::span<Vec3> own = positionsOf(scene.cloths[thing.index], start);

@@ -36,6 +36,11 @@ struct PlacingEdit {
   bool finished = false;        ///< whether the user let go of it
 };
 
+/// Of what is in the box [window units].
+float boxWidth() {
+  return 20.0F * ImGui::GetFontSize();
+}
+
 void ask(PanelContext& context, PlacingRequest request) {
   context.output.requests.emplace_back(std::move(request));
 }
@@ -47,7 +52,7 @@ const char* helpOf(PlacingTool tool) {
     case PlacingTool::Turn:
       return "Drag a ring. Ctrl: steps of 5 degrees.";
     case PlacingTool::Scale:
-      return "Drag the square. Ctrl: steps of 10 %. The cloth is made in this size.";
+      return "Drag the square. Ctrl: steps of 10 %. Cloth is made in this size.";
   }
   return "";
 }
@@ -88,9 +93,8 @@ constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
 /// A row of three numbers. @return the new vector when the user changed one; the edit says whether that is finished
 std::optional<Vec3> vectorRow(PanelContext& context, const char* title, const PlacingNumber& common, const Vec3& value,
                               PlacingEdit& edit) {
-  const float line = ImGui::GetFontSize();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (17.0F * line - 2.0F * gap) / 3.0F;
+  const float width = (boxWidth() - 2.0F * gap) / 3.0F;
   mutedText(title);
   std::optional<Vec3> changed;
   for (int axis = 0; axis < 3; ++axis) {
@@ -119,8 +123,8 @@ void positionRow(PanelContext& context, const PlacingView& placing) {
   constexpr double near = 3.0;   // [m]
   constexpr double far = 100.0;  // [m]
   PlacingEdit edit;
-  const auto changed = vectorRow(context, "Position of the middle",
-                                 {"placing.position", "Position", "%.3f m", " m", {-near, near, false}, -far, far, 0.0},
+  const auto changed = vectorRow(context, "Position of the middle [m]",
+                                 {"placing.position", "Position", "%.3f", " m", {-near, near, false}, -far, far, 0.0},
                                  placing.middle, edit);
   std::optional<scene::Placement> placement;
   if (changed) {
@@ -134,8 +138,8 @@ void rotationRow(PanelContext& context, const PlacingView& placing) {
   constexpr double whole = 360.0;  // [degrees]
   PlacingEdit edit;
   const auto changed =
-      vectorRow(context, "Rotation: axis times angle",
-                {"placing.rotation", "Rotation", "%.1f\u00B0", " degrees", {-half, half, false}, -whole, whole, 0.0},
+      vectorRow(context, "Rotation, axis times angle [degrees]",
+                {"placing.rotation", "Rotation", "%.1f", " degrees", {-half, half, false}, -whole, whole, 0.0},
                 placing.placement.rotation, edit);
   std::optional<scene::Placement> placement;
   if (changed) {
@@ -160,7 +164,7 @@ void scaleRow(PanelContext& context, const PlacingView& placing) {
                                         scene::minPlacementScale,
                                         scene::maxPlacementScale,
                                         placing.placement.scale},
-                                       17.0F * ImGui::GetFontSize());
+                                       boxWidth());
   explainItem(
       context, "placing.scale",
       "Factor of the size in the scene. A cloth is larger at rest then, so it weighs more and is not stretched.");
@@ -182,8 +186,7 @@ void thingRow(PanelContext& context, const PlacingView& placing) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Place");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(17.0F * ImGui::GetFontSize() - ImGui::CalcTextSize("Place").x -
-                          ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetNextItemWidth(boxWidth() - ImGui::CalcTextSize("Place").x - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::BeginCombo("##thing", name.c_str())) {
     for (const scene::Placeable& thing : things) {
       const std::string each = scene::nameOf(description, thing);
@@ -200,7 +203,7 @@ void thingRow(PanelContext& context, const PlacingView& placing) {
 void toolRow(PanelContext& context, const PlacingView& placing) {
   static constexpr std::array<Segment, 3> tools{{{"move", "Move"}, {"turn", "Turn"}, {"scale", "Scale"}}};
   const auto chosen = static_cast<std::size_t>(placing.tool);
-  ImGui::SetNextItemWidth(17.0F * ImGui::GetFontSize());
+  ImGui::SetNextItemWidth(boxWidth());
   const std::size_t next = segments(context, "placing.tool", tools, chosen);
   if (next != chosen) {
     ask(context, {.kind = Kind::UseTool, .tool = static_cast<PlacingTool>(next)});
@@ -208,7 +211,7 @@ void toolRow(PanelContext& context, const PlacingView& placing) {
 }
 
 void buttonRow(PanelContext& context) {
-  const float width = (17.0F * ImGui::GetFontSize() - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  const float width = (boxWidth() - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
   if (iconButton(context, "place_on_ground", Icon::None, "To ground", width)) {
     ask(context, {.kind = Kind::OnGround});
   }
@@ -249,7 +252,7 @@ void placingBox(PanelContext& context, const UiRect& view) {
   const float margin = 12.0F * context.scale;
   beginCorner(context, "overlay.placing", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
               {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 17.0F * ImGui::GetFontSize());
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
   thingRow(context, placing);
   toolRow(context, placing);
   mutedText(helpOf(placing.tool));

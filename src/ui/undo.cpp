@@ -52,8 +52,8 @@ void Undo::request(const session::UserState& from, const session::UserState& to,
   const auto changed = session::changedSettings(from.settings, to.settings);
   const bool places = from.placements != to.placements;
   const bool rebuilds = places || std::ranges::any_of(changed, [](const settings::SettingInfo* info) {
-    return info->effect == settings::SettingEffect::Scene;
-  });
+                          return info->effect == settings::SettingEffect::Scene;
+                        });
   // Pins and bodies follow when the scene is built: its mesh may have other vertices, and it starts with its own pins.
   std::vector<session::Command> commands =
       rebuilds ? session::settingCommands(from.settings, to.settings) : session::commandsBetween(from, to, *scene_);

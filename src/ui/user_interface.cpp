@@ -129,7 +129,7 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (panel.stats.exporting) {
     exportNotice(panel, stack);
   }
-  if (!memory.hasDragged && memory.picked.vertices().empty()) {
+  if (!memory.hasDragged && memory.picked.vertices().empty() && !panel.stats.placing) {
     dragHint(stack);
   }
   pickedPanel(panel, view);

@@ -149,10 +149,27 @@ TEST(Gizmo, HidesWhatCannotBeDraggedFromWhereTheEyeIs) {
                                             GizmoHandle::MoveY};
     EXPECT_EQ(shown, expected);
     const auto rings = Gizmo(PlacingTool::Turn, Vec3(0.0, 1.0, 0.0), 1.0).handles(picture);
-    EXPECT_EQ(rings, std::vector<GizmoHandle>{GizmoHandle::TurnZ});
+    EXPECT_EQ(rings.size(), 3U) << "rings roll where they are seen from their edge";
   }
   const render::Camera away({Vec3(0.0, 1.0, 3.0), Vec3(0.0, 1.0, 5.0), 35.0, false});
   EXPECT_TRUE(Gizmo(PlacingTool::Move, Vec3(0.0, 1.0, 0.0), 1.0).handles(GizmoPicture(away, gizmoView)).empty());
+}
+
+TEST(Gizmo, ARingThatIsSeenFromItsEdgeRollsUnderTheMouse) {
+  for (const bool orthographic : {false, true}) {
+    const render::Camera front({Vec3(0.0, 1.0, 3.0), Vec3(0.0, 1.0, 0.0), 35.0, orthographic});
+    const GizmoPicture picture(front, gizmoView);
+    const Gizmo gizmo(PlacingTool::Turn, Vec3(0.0, 1.0, 0.0), 1.0);
+    const Vec2 grip = picture.toWindow(gizmo.middle());
+    GizmoDrag about(gizmo, GizmoHandle::TurnY, grip, picture);
+    const GizmoChange change = about.to(grip + Vec2(48.0, 0.0), picture, false);
+    EXPECT_NEAR(change.angle, 0.5, 1e-6) << "half a radius to the right";
+    EXPECT_EQ(change.axis, Vec3::UnitY());
+    const Vec3 turned = Eigen::AngleAxisd(change.angle, change.axis) * Vec3::UnitZ();
+    EXPECT_GT(turned.x(), 0.4) << "the near side follows the mouse";
+    GizmoDrag over(gizmo, GizmoHandle::TurnX, grip, picture);
+    EXPECT_NEAR(over.to(grip + Vec2(0.0, 48.0), picture, false).angle, 0.5, 1e-6);
+  }
 }
 
 TEST(Gizmo, ADragBeyondTheHorizonOfAPlaneStaysWhereItWas) {

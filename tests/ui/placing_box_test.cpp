@@ -40,11 +40,11 @@ class PlacingBox : public PanelFixture {
 };
 
 TEST_F(PlacingBox, TheSectionSceneStartsAndEndsTheMode) {
-  EXPECT_TRUE(placingRequest(click(button("place")), PlacingRequest::Kind::End).has_value());
+  EXPECT_TRUE(placingRequest(click(button("button.place")), PlacingRequest::Kind::End).has_value());
   stats_.placing.reset();
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.placing"));
-  const UiOutput output = click(button("place"));
+  const UiOutput output = click(button("button.place"));
   EXPECT_TRUE(std::ranges::any_of(output.requests, [](const UiRequest& request) {
     const auto* action = std::get_if<UiAction>(&request);
     return action != nullptr && *action == UiAction::Place;
@@ -55,9 +55,9 @@ TEST_F(PlacingBox, HasToolsThingsAndButtons) {
   const auto tool = placingRequest(click(button("placing.tool=turn")), PlacingRequest::Kind::UseTool);
   ASSERT_TRUE(tool.has_value());
   EXPECT_EQ(tool->tool, PlacingTool::Turn);
-  EXPECT_TRUE(placingRequest(click(button("place_on_ground")), PlacingRequest::Kind::OnGround).has_value());
-  EXPECT_TRUE(placingRequest(click(button("restore_placement")), PlacingRequest::Kind::Restore).has_value());
-  EXPECT_TRUE(placingRequest(click(button("end_placing")), PlacingRequest::Kind::End).has_value());
+  EXPECT_TRUE(placingRequest(click(button("button.place_on_ground")), PlacingRequest::Kind::OnGround).has_value());
+  EXPECT_TRUE(placingRequest(click(button("button.restore_placement")), PlacingRequest::Kind::Restore).has_value());
+  EXPECT_TRUE(placingRequest(click(button("button.end_placing")), PlacingRequest::Kind::End).has_value());
   click(button("placing.thing"));
   settle();
   const auto thing = placingRequest(click(button("placing.thing=sphere")), PlacingRequest::Kind::Choose);
