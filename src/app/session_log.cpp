@@ -41,6 +41,34 @@ scene::SceneParts absoluteParts(scene::SceneParts parts) {
   return parts;
 }
 
+Json toJson(const scene::Placement& placement) {
+  const auto list = [](const Vec3& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); };
+  return {{"position", list(placement.position)}, {"rotation", list(placement.rotation)}, {"scale", placement.scale}};
+}
+
+Json toJson(const std::vector<scene::Placement>& placements) {
+  Json list = Json::array();
+  for (const scene::Placement& placement : placements) {
+    list.push_back(toJson(placement));
+  }
+  return list;
+}
+
+scene::Placement placementFrom(const Json& json) {
+  const auto vector = [](const Json& list) {
+    return Vec3(list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>());
+  };
+  return {vector(json.at("position")), vector(json.at("rotation")), json.at("scale").get<double>()};
+}
+
+std::vector<scene::Placement> placementsFrom(const Json& json) {
+  std::vector<scene::Placement> placements;
+  for (const Json& each : json) {
+    placements.push_back(placementFrom(each));
+  }
+  return placements;
+}
+
 SessionLog parse(const Json& json) {
   SessionLog log;
   if (json.at("drape_session") != formatVersion) {
@@ -55,6 +83,9 @@ SessionLog parse(const Json& json) {
     log.settings.emplace_back(key, value.get<std::string>());
   }
   log.fabrics = fabricsFrom(json.value("fabrics", Json::array()));
+  if (const auto found = json.find("placements"); found != json.end()) {
+    log.placements = {placementsFrom(found->at("cloths")), placementsFrom(found->at("bodies"))};
+  }
   for (const Json& entry : json.at("commands")) {
     log.commands.push_back(commandFrom(entry));
   }
@@ -103,7 +134,11 @@ settings::Settings loggedSettings(const SessionLog& log, settings::Settings sett
 
 SessionLog sessionLogOf(const session::Simulation& simulation) {
   SessionLog log;
-  log.parts = absoluteParts(simulation.scene().description.parts);
+  const scene::SceneDescription& description = simulation.scene().description;
+  log.parts = absoluteParts(description.parts);
+  if (scene::placementsOf(description) != scene::writtenPlacementsOf(description)) {
+    log.placements = scene::placementsOf(description);
+  }
   for (const settings::SettingInfo& info : settings::settingsTable()) {
     log.settings.emplace_back(info.key,
                               settings::formatValue(settings::settingValue(simulation.scene().settings, info)));
@@ -127,6 +162,10 @@ void write(const SessionLog& log, OutputFile& file) {
     json["settings"][key] = value;
   }
   json["fabrics"] = toJson(log.fabrics);
+  if (log.placements) {
+    json["placements"]["cloths"] = toJson(log.placements->cloths);
+    json["placements"]["bodies"] = toJson(log.placements->bodies);
+  }
   json["commands"] = Json::array();
   for (const session::LoggedCommand& entry : log.commands) {
     json["commands"].push_back(toJson(entry));
@@ -155,7 +194,14 @@ SessionLog readSessionLog(const std::string& file) {
 }
 
 std::shared_ptr<const scene::Scene> openLoggedScene(const SessionLog& log) {
-  const scene::SceneDescription description = scene::openParts(log.parts, log.fabrics);
+  scene::SceneDescription description = scene::openParts(log.parts, log.fabrics);
+  if (log.placements) {
+    try {
+      description = scene::withPlacements(std::move(description), *log.placements);
+    } catch (const messages::InputError& error) {
+      throw messages::InputError(log.file + ": " + error.what());
+    }
+  }
   return scene::buildScene(description, loggedSettings(log, description.settings));
 }
 

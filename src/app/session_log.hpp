@@ -1,10 +1,12 @@
 #pragma once
 
 #include "app/output_file.hpp"
+#include "scene/placements.hpp"
 #include "session/simulation.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,7 @@ struct SessionLog {
   scene::SceneParts parts;                                    ///< of the scene; file names are absolute
   std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of all, when the scene was opened
   settings::OwnFabrics fabrics;                               ///< that the settings can name
+  std::optional<scene::Placements> placements;                ///< by the user; empty: those of the scene file
   std::vector<session::LoggedCommand> commands;
   std::int64_t steps = 0;  ///< taken in the whole session
   std::string stateHash;   ///< at the end (sim/model/cloth_state.hpp)

@@ -52,7 +52,8 @@ void BodyDrawing::take(const session::Snapshot& snapshot) {
   for (const auto& drawn : bodies_) {
     const session::BodyStatus& status = snapshot.bodies[drawn->body];
     drawn->on = status.on && snapshot.settings.step.contact.bodies;
-    const bool stays = drawn->placed && status.vertices.empty() && drawn->pose.position == status.pose.position &&
+    const bool stays = drawn->placed && !drawn->deformed && status.vertices.empty() &&
+                       drawn->pose.position == status.pose.position &&
                        drawn->pose.rotation.coeffs() == status.pose.rotation.coeffs();
     if (!stays) {
       place(status, *drawn);
@@ -63,6 +64,7 @@ void BodyDrawing::take(const session::Snapshot& snapshot) {
 void BodyDrawing::place(const session::BodyStatus& status, Drawn& drawn) {
   drawn.placed = true;
   drawn.pose = status.pose;
+  drawn.deformed = !status.vertices.empty();
   moved_.resize(drawn.positions.size());
   for (std::size_t v = 0; v < moved_.size(); ++v) {
     const Vec3& local = status.vertices.empty() ? drawn.positions[v] : status.vertices[drawn.source[v]];

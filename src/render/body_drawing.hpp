@@ -34,6 +34,7 @@ class BodyDrawing {
     bool endless = false;
     bool on = false;
     bool placed = false;
+    bool deformed = false;  // whether it had vertices of its own when it was placed last
     sim::contact::Pose pose;
     SmoothMesh mesh;
   };

@@ -131,6 +131,41 @@ BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>&
   return body;
 }
 
+void scaleShape(double scale, sim::contact::PlaneShape& plane) {
+  plane.halfSize *= scale;
+}
+
+void scaleShape(double scale, sim::contact::SphereShape& sphere) {
+  sphere.radius *= scale;
+}
+
+void scaleShape(double scale, sim::contact::CapsuleShape& capsule) {
+  capsule.radius *= scale;
+  capsule.halfLength *= scale;
+}
+
+void scaleShape(double scale, sim::contact::BoxShape& box) {
+  box.half *= scale;
+}
+
+/// The scale of a mesh applies to its coordinates.
+void scaleShape(double /*scale*/, std::shared_ptr<const sim::contact::MeshShape>& /*mesh*/) {}
+
+/// Puts a body with its whole motion where its placement says.
+BodyDescription inPlace(BodyDescription body) {
+  const Placement& placement = body.placement;
+  if (placement.isNone()) {
+    return body;
+  }
+  body.scale *= placement.scale;
+  std::visit([&](auto& shape) { scaleShape(placement.scale, shape); }, body.body.shape);
+  for (sim::contact::Keyframe& key : body.body.motion.keyframes) {
+    key.position *= placement.scale;
+  }
+  body.body.motion.placement = placement.pose();
+  return body;
+}
+
 sim::contact::Body bodyOf(const sim::contact::Body& stand, const Decor& surface) {
   auto shape = std::make_shared<sim::contact::MeshShape>();
   shape->positions = surface.positions;
@@ -173,7 +208,7 @@ std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescript
   const io::ImportOptions options = bodyOptions(settings, watch);
   auto bodies = std::make_shared<std::vector<sim::contact::Body>>();
   for (const BodyDescription& written : description.bodies) {
-    const BodyDescription each = inMetres(written, reading);
+    const BodyDescription each = inPlace(inMetres(written, reading));
     bodies->push_back(each.body);
     if (each.figure) {
       bodies->back().shape = readFigure(each, options, warnings);

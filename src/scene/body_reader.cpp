@@ -3,6 +3,7 @@
 #include "io/point_cache_import.hpp"
 #include "messages/error.hpp"
 #include "scene/keyframe_file.hpp"
+#include "scene/placement_file.hpp"
 #include "settings/surface_fields.hpp"
 
 #include <fmt/core.h>
@@ -43,7 +44,8 @@ const std::vector<ShapeKeys>& shapes() {
 
 /// Allows only the keys of this shape.
 void checkKeys(const TomlReader& table, const std::string& shape) {
-  std::vector<std::string_view> keys{"name", "shape", "position", "rotation", "spin", "keyframes", "loop", "drawn"};
+  std::vector<std::string_view> keys{"name", "shape",     "position", "rotation", "placement",
+                                     "spin", "keyframes", "loop",     "drawn"};
   keys.insert(keys.end(), surfaceKeys.begin(), surfaceKeys.end());
   std::string known;
   for (const ShapeKeys& each : shapes()) {
@@ -193,6 +195,11 @@ BodyDescription readBody(const TomlReader& table, const std::filesystem::path& f
     body.shape = readShape(table, shape);
   }
   body.motion = readMotion(table);
+  description.placement = readPlacement(table);
+  description.writtenPlacement = description.placement;
+  if (description.figure && description.placement.scale != 1.0) {
+    table.fail("a figure has its size by height, chest, waist, hip and shoulder; its placement cannot have a scale");
+  }
   body.drawn = table.flag("drawn").value_or(true);
   readSurface(table, body);
   return description;

@@ -2,6 +2,7 @@
 
 #include "io/point_cache_import.hpp"
 #include "scene/keyframe_file.hpp"
+#include "scene/placement_file.hpp"
 #include "settings/surface_fields.hpp"
 #include "text/number_text.hpp"
 
@@ -123,6 +124,7 @@ void writeBody(const BodyDescription& body, const std::filesystem::path& folder,
     std::visit([&](const auto& shape) { writeShape(shape, toml); }, body.body.shape);
   }
   writeMotion(body.body.motion, toml);
+  writePlacement(body.placement, toml);
   writeSurface(body.body.surface, toml);
   if (!body.body.drawn) {
     toml.flag("drawn", false);

@@ -172,8 +172,31 @@ std::vector<ElasticBand> bandsOf(const ClothDescription& description, const sim:
   return bands;
 }
 
+/// The positions in the size of a placement.
+std::vector<Vec3> sized(std::vector<Vec3> positions, double scale) {
+  for (Vec3& position : positions) {
+    position *= scale;
+  }
+  return positions;
+}
+
+/// How the coordinates of a cloth's file become those of the scene.
+MeshPlacement placementOf(const ClothDescription& description, const MeshReading& reading) {
+  const sim::contact::Pose own = sim::contact::poseOf(description.position, description.rotation);
+  const Placement& placement = description.placement;
+  if (placement.isNone()) {
+    return {reading.metresPerUnit, reading.up, own};
+  }
+  const sim::contact::Pose pose = placement.pose();
+  return {reading.metresPerUnit,
+          reading.up,
+          {(pose.rotation * own.rotation).normalized(), pose.toWorld(placement.scale * own.position)},
+          placement.scale};
+}
+
 ClothPart partFor(const ClothDescription& description, const Source& source, const JoinedCloths& joined) {
   ClothPart part;
+  part.scale = description.placement.scale;
   part.name = description.name;
   part.own = description.own;
   part.bands = bandsOf(description, source.mesh.cloth);
@@ -185,11 +208,10 @@ ClothPart partFor(const ClothDescription& description, const Source& source, con
   part.renderVertexCount = static_cast<int>(source.mesh.render.particle.size());
   part.file = source.mesh.file;
   if (source.reading) {
-    part.placement = {source.reading->metresPerUnit, source.reading->up,
-                      sim::contact::poseOf(description.position, description.rotation)};
+    part.placement = placementOf(description, *source.reading);
   }
   if (!source.grid) {  // the texture of a grid is made for the checker
-    part.uvs = patternUvsOf(source.mesh.render, source.mesh.cloth.positions);
+    part.uvs = patternUvsOf(source.mesh.render, sized(source.mesh.cloth.positions, part.scale));
   }
   return part;
 }
@@ -212,7 +234,9 @@ void appendCloth(const ClothDescription& description, const settings::Settings& 
   appendTriangles(source.mesh.cloth.triangles, part.firstVertex, joined.mesh.triangles);
   const std::vector<Vec3>& rest = source.mesh.cloth.positions;
   joined.mesh.positions.insert(joined.mesh.positions.end(), rest.begin(), rest.end());
-  joined.start.insert(joined.start.end(), start.begin(), start.end());
+  joined.unplacedStart.insert(joined.unplacedStart.end(), start.begin(), start.end());
+  const std::vector<Vec3> placed = description.placement.applied(start);
+  joined.start.insert(joined.start.end(), placed.begin(), placed.end());
   appendRenderMesh(source.mesh.render, part.firstVertex, joined.renderMesh);
   addSummary(description.name, source.mesh.summary, joined.summary);
   const auto* file = std::get_if<MeshFileSource>(&description.source);
@@ -227,11 +251,25 @@ void appendCloth(const ClothDescription& description, const settings::Settings& 
 /// The size of the box around all cloths, unless there is one, whose size is known.
 void setSize(JoinedCloths& joined, const io::MeshSummary& first) {
   joined.summary.size = first.size;
+  for (double& side : joined.summary.size) {
+    side *= joined.cloths.front().scale;
+  }
   joined.summary.shortEdge = first.shortEdge;
   if (joined.cloths.size() > 1) {
     const Vec3 size = sim::boundsOf(joined.mesh.positions).sizes();
     joined.summary.size = {size.x(), size.y(), size.z()};
   }
+}
+
+/// The rest shape in the sizes of the placements. It keeps its direction, so that warp stays where it is in the cloth.
+sim::ClothMesh sizedMesh(const JoinedCloths& joined) {
+  sim::ClothMesh mesh = joined.mesh;
+  for (const ClothPart& cloth : joined.cloths) {
+    for (int v = cloth.firstVertex; v < cloth.firstVertex + cloth.vertexCount; ++v) {
+      mesh.positions[v] *= cloth.scale;
+    }
+  }
+  return mesh;
 }
 
 /// The stiffness of the springs of each cloth over that of the scene [-].
@@ -306,8 +344,9 @@ JoinedCloths joinCloths(const SceneDescription& description, const settings::Set
 
 std::shared_ptr<const sim::ClothModel> modelOf(const JoinedCloths& joined, const settings::Settings& settings) {
   return messages::withInputErrors([&] {
-    const auto area = sim::restAreaOf(joined.mesh);
-    auto model = sim::buildClothModel(joined.mesh, totalMassOf(settings, area), lumpingOf(settings), joined.pinned());
+    const sim::ClothMesh mesh = sizedMesh(joined);
+    const auto area = sim::restAreaOf(mesh);
+    auto model = sim::buildClothModel(mesh, totalMassOf(settings, area), lumpingOf(settings), joined.pinned());
     model = withMasses(*withSeveralCloths(*model, joined.cloths), joined.cloths, settings);
     return withMaterial(*withOwnStiffness(*model, joined.cloths, settings), joined.cloths, settings);
   });

@@ -18,10 +18,11 @@ struct PinGroup {
 
 /// The cloths of a scene, joined to one mesh.
 struct JoinedCloths {
-  sim::ClothMesh mesh;        ///< the rest shape, in the scene [m]
-  std::vector<Vec3> start;    ///< positions at the start [m]; those of pleats differ from the rest shape
-  io::RenderMesh renderMesh;  ///< its triangles are those of `mesh`
-  io::MeshSummary summary;    ///< of all cloths
+  sim::ClothMesh mesh;              ///< the rest shape, in the scene, without the placements of the cloths [m]
+  std::vector<Vec3> start;          ///< positions at the start [m]; those of pleats differ from the rest shape
+  std::vector<Vec3> unplacedStart;  ///< the same without the placements of the cloths [m]
+  io::RenderMesh renderMesh;        ///< its triangles are those of `mesh`
+  io::MeshSummary summary;          ///< of all cloths
   std::vector<ClothPart> cloths;
   std::vector<PinGroup> pins;          ///< each vertex is in one group at most
   std::optional<MeshReading> reading;  ///< of the first cloth from a mesh file

@@ -39,6 +39,7 @@ struct ClothPart {
   std::vector<OwnSetting> own;               ///< in the order in which they are assigned
   std::shared_ptr<const io::FileMesh> file;  ///< the mesh that was opened; its particles count from `firstVertex`
   MeshPlacement placement;                   ///< of that mesh
+  double scale = 1.0;                        ///< of the rest shape, by the placement of the cloth [-]
 };
 
 /// The only cloth of a model.

@@ -39,11 +39,11 @@ Vec3 turnedUpright(const Vec3& p, const std::string& up) {
 }
 
 Vec3 MeshPlacement::toFile(const Vec3& inScene) const {
-  return turnedBack(pose.toLocal(inScene), up) / metresPerUnit;
+  return turnedBack(pose.toLocal(inScene), up) / (scale * metresPerUnit);
 }
 
 Vec3 MeshPlacement::toScene(const Vec3& inFile) const {
-  return pose.toWorld(turnedUpright(metresPerUnit * inFile, up));
+  return pose.toWorld(turnedUpright((scale * metresPerUnit) * inFile, up));
 }
 
 Vec3 MeshPlacement::directionInFile(const Vec3& inScene) const {

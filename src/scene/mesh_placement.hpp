@@ -13,6 +13,7 @@ struct MeshPlacement {
   double metresPerUnit = 1.0;
   std::string up = "y";     ///< the axis of the file that points up, as in the setting
   sim::contact::Pose pose;  ///< of the cloth in the scene
+  double scale = 1.0;       ///< of the cloth in the scene [-]
 
   /// The point of the file at a point of the scene [m].
   [[nodiscard]] Vec3 toFile(const Vec3& inScene) const;

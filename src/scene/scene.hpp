@@ -5,6 +5,7 @@
 #include "scene/cloth_part.hpp"
 #include "scene/mesh_reading.hpp"
 #include "scene/pin_path.hpp"
+#include "scene/placement.hpp"
 #include "settings/settings.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/model/cloth_model.hpp"
@@ -97,6 +98,8 @@ struct BodyDescription {
   double frameTime = 1.0 / 30.0;                ///< time between two frames [s]
   bool frameLoop = false;                       ///< whether the frames repeat
   bool readLikeCloth = false;                   ///< whether the meshes use the unit and the up axis of the cloth
+  Placement placement;                          ///< of the body with its whole motion
+  Placement writtenPlacement;                   ///< the one in the scene file
 };
 
 /// The ground as a body for contact. The renderer draws the ground separately.
@@ -137,6 +140,10 @@ struct ClothDescription {
   std::variant<GridSource, MeshFileSource> source;
   Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
   Vec3 rotation = Vec3::Zero();  ///< applied to the mesh first, about its own origin: axis times angle [rad]
+  /// Of the cloth at its start. Its scale is that of the rest shape, too. Pins, bands and seams refer to the cloth
+  /// before it, and so does the direction of warp.
+  Placement placement;
+  Placement writtenPlacement;  ///< the one in the scene file
   std::optional<Pleats> pleats;
   std::vector<BandDescription> bands;
   std::vector<PinSelection> pins;  ///< one per table of pins; a vertex belongs to the first one that selects it

@@ -53,7 +53,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   const std::vector<int> pins = joined.pinned();
   scene->pinAdvice = adviceOnPins(description, settings, pins.size(), scene->start.positions.size());
   scene->stand = readStand(description.stand, settings, watch, scene->summary.warnings);
-  scene->groundHeight = groundHeightOf(description, scene->start.positions, pins);
+  scene->groundHeight = groundHeightOf(description, joined.unplacedStart, pins);
   const auto bodies = buildBodies(description, joined.reading, scene->stand, scene->groundHeight, settings, watch,
                                   scene->summary.warnings);
   for (const PinGroup& group : joined.pins) {

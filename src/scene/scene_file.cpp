@@ -5,6 +5,7 @@
 #include "scene/fabric_file.hpp"
 #include "scene/framing.hpp"
 #include "scene/keyframe_file.hpp"
+#include "scene/placement_file.hpp"
 #include "scene/seam_file.hpp"
 #include "scene/toml_reader.hpp"
 #include "settings/settings_table.hpp"
@@ -47,6 +48,8 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
   }
   cloth.position = reader.vector("position").value_or(Vec3::Zero());
   cloth.rotation = degree * reader.vector("rotation", manyDegrees).value_or(Vec3::Zero());
+  cloth.placement = readPlacement(reader);
+  cloth.writtenPlacement = cloth.placement;
   for (const TomlReader& band : reader.tables("bands")) {
     cloth.bands.push_back(readBand(band));
   }
@@ -114,7 +117,7 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
   }
   std::vector<ClothDescription> cloths;
   if (only) {
-    only->allowOnly({"mesh", "grid", "position", "rotation", "pleats", "bands"});
+    only->allowOnly({"mesh", "grid", "position", "rotation", "placement", "pleats", "bands"});
     cloths.push_back(readCloth(*only, "[cloth]", folder));
     readAllPins(reader, cloths.front().pins);
     return cloths;
@@ -126,7 +129,8 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
     several[maxCloths].fail(fmt::format("a scene can have at most {} cloths", maxCloths));
   }
   for (const TomlReader& table : several) {
-    table.allowOnly({"name", "mesh", "grid", "position", "rotation", "pleats", "bands", "pins", "settings"});
+    table.allowOnly(
+        {"name", "mesh", "grid", "position", "rotation", "placement", "pleats", "bands", "pins", "settings"});
     const std::string name = nameOfCloth(table, cloths);
     ClothDescription& cloth = cloths.emplace_back(readCloth(table, "[[cloths]]", folder));
     cloth.name = name;

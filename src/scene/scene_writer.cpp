@@ -5,6 +5,7 @@
 #include "scene/fabric_file.hpp"
 #include "scene/keyframe_file.hpp"
 #include "scene/mesh_reading.hpp"
+#include "scene/placement_file.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/seam_file.hpp"
 #include "scene/settings_writer.hpp"
@@ -146,6 +147,7 @@ void writeCloth(Writing& writing, std::size_t index) {
   if (!cloth.rotation.isZero(0.0)) {
     toml.value("rotation", degreesText(cloth.rotation));
   }
+  writePlacement(cloth.placement, toml);
   if (cloth.pleats) {
     toml.value("pleats", fmt::format("{{ count = {}, gather = {} }}", cloth.pleats->count,
                                      settings::formatValue(cloth.pleats->gather)));
@@ -219,6 +221,17 @@ BodyDescription inMetres(BodyDescription body, const Scene& scene) {
   return body;
 }
 
+/// Moves a body after its own motion and its placement.
+void shift(const Vec3& by, BodyDescription& body) {
+  if (!body.placement.isNone()) {
+    body.placement.position += by;
+    return;
+  }
+  for (sim::contact::Keyframe& key : body.body.motion.keyframes) {
+    key.position += by;
+  }
+}
+
 void writeBodies(Writing& writing) {
   const auto& descriptions = writing.description().bodies;
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
@@ -227,9 +240,7 @@ void writeBodies(Writing& writing) {
       const BodyNow& now = writing.now.bodies[i];
       body.body.surface = now.surface;
       body.figure = now.figure && body.figure ? now.figure : body.figure;
-      for (sim::contact::Keyframe& key : body.body.motion.keyframes) {
-        key.position += now.shift;
-      }
+      shift(now.shift, body);
       if (!now.on) {
         writing.result.notes.push_back("A scene file cannot say that " + body.body.name + " is switched off");
       }

@@ -88,7 +88,8 @@ std::shared_ptr<const std::vector<PinPlace>> pinsOf(const Snapshot& snapshot) {
 }
 
 UserState userStateOf(const Snapshot& snapshot, std::shared_ptr<const std::vector<PinPlace>> pins) {
-  UserState state{snapshot.settings, std::move(pins), {}, snapshot.pinPaths};
+  UserState state{
+      snapshot.settings, std::move(pins), {}, snapshot.pinPaths, scene::placementsOf(snapshot.scene->description)};
   for (const BodyStatus& body : snapshot.bodies) {
     state.bodies.push_back({body.on, body.targetShift, body.surface, body.figure});
   }
@@ -112,7 +113,7 @@ bool havePinsInCommon(const UserState& a, const UserState& b) {
 }
 
 bool areSame(const UserState& a, const UserState& b) {
-  return a.bodies == b.bodies && havePinsInCommon(a, b) && *a.pinPaths == *b.pinPaths &&
+  return a.bodies == b.bodies && a.placements == b.placements && havePinsInCommon(a, b) && *a.pinPaths == *b.pinPaths &&
          changedSettings(a.settings, b.settings).empty();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/placements.hpp"
 #include "session/command.hpp"
 #include "session/snapshot.hpp"
 
@@ -24,12 +25,14 @@ struct BodyChoice {
   bool operator==(const BodyChoice&) const = default;
 };
 
-/// All that a user can change about a running scene: its settings, pins and bodies. Undo goes back to an earlier one.
+/// All that a user can change about a running scene: its settings, pins, bodies and placements. Undo goes back to an
+/// earlier one.
 struct UserState {
   settings::Settings settings;
   std::shared_ptr<const std::vector<PinPlace>> pins;            ///< in the order of the vertices; never null
   std::vector<BodyChoice> bodies;                               ///< one per body of the scene
   std::shared_ptr<const std::vector<scene::PinPath>> pinPaths;  ///< of pins that move without a body; never null
+  scene::Placements placements;                                 ///< of the cloths and the bodies of the scene
 };
 
 /// The pinned vertices of a snapshot, in order.
@@ -47,7 +50,7 @@ struct UserState {
 /// Whether the same vertices are pinned.
 [[nodiscard]] bool havePinsInCommon(const UserState& a, const UserState& b);
 
-/// Whether settings, pinned vertices and bodies are the same.
+/// Whether settings, pinned vertices, bodies and placements are the same.
 [[nodiscard]] bool areSame(const UserState& a, const UserState& b);
 
 /// The commands from the settings `from` to `to` that need no rebuild of the scene. The values of a fabric change
@@ -57,7 +60,8 @@ struct UserState {
 /// The same for the user's changes of settings, as changedSettings() has them.
 [[nodiscard]] std::vector<Command> settingCommands(const settings::Settings& from, const settings::Settings& to);
 
-/// The commands that lead from one state to another, except changes of settings that rebuild the scene. Pins that are
+/// The commands that lead from one state to another, except changes that rebuild the scene: of some settings, and of
+/// placements. Pins that are
 /// set again return to their places, unless a body of the scene carries them.
 [[nodiscard]] std::vector<Command> commandsBetween(const UserState& from, const UserState& to,
                                                    const scene::Scene& scene);

@@ -106,6 +106,15 @@ void addBodies(const session::UserState& from, const session::UserState& to, con
   }
 }
 
+void addPlacements(const session::UserState& from, const session::UserState& to, const scene::Scene& scene,
+                   std::vector<std::string>& changes) {
+  for (const scene::Placeable& thing : scene::placeablesOf(scene.description)) {
+    if (from.placements.of(thing) != to.placements.of(thing)) {
+      changes.push_back("placement of the " + scene::nameOf(scene.description, thing));
+    }
+  }
+}
+
 }  // namespace
 
 std::string changeInWords(const session::UserState& from, const session::UserState& to, const scene::Scene& scene) {
@@ -113,6 +122,7 @@ std::string changeInWords(const session::UserState& from, const session::UserSta
   addSettings(from.settings, to.settings, changes);
   addPins(from, to, changes);
   addPinPaths(from, to, changes);
+  addPlacements(from, to, scene, changes);
   addBodies(from, to, scene, changes);
   constexpr std::size_t shownInFull = 2;
   std::string words;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double doubleClickTime = 0.35;     // [s]
 constexpr double doubleClickDistance = 5.0;  // [window units]
+constexpr double clickDistance = 4.0;        // [window units]
 constexpr double zoomPerNotch = 0.88;        // factor of the distance
 constexpr double turnPerHeight =
     std::numbers::pi;  // a drag over the whole height of the view turns by half a circle [rad]
@@ -178,9 +179,11 @@ bool InteractionController::select(UiAction action, const session::Snapshot& sna
   };
   switch (action) {
     case UiAction::SelectRectangle:
+      placing_.end(output);
       selection_.use(SelectionMode::Rectangle);
       return true;
     case UiAction::SelectBorder:
+      placing_.end(output);
       selection_.use(SelectionMode::Border);
       return true;
     case UiAction::PinSelected:
@@ -201,6 +204,40 @@ bool InteractionController::select(UiAction action, const session::Snapshot& sna
   }
 }
 
+bool InteractionController::place(UiAction action, const session::Snapshot& snapshot, UiOutput& output) {
+  if (action != UiAction::Place) {
+    return false;
+  }
+  selection_.use(SelectionMode::Off);
+  selection_.clear();
+  placing_.next(snapshot, output);
+  return true;
+}
+
+std::optional<PlacingView> InteractionController::placingView(const session::Snapshot& snapshot) {
+  return placing_.view(snapshot, GizmoPicture(camera_, view_), scale_);
+}
+
+/// Takes a handle of the gizmo, or turns or moves the view.
+void InteractionController::pressInPlace(const PressEvent& event, const session::Snapshot& snapshot) {
+  pressed_ = event.position;
+  if (placing_.press(event.position, GizmoPicture(camera_, view_), snapshot, scale_)) {
+    gesture_ = Placed{};
+  } else if (event.shift) {
+    gesture_ = Panning{};
+  } else {
+    gesture_ = Orbiting{};
+    turns_ = false;
+  }
+}
+
+/// A press beside the gizmo that did not turn the view chooses the thing there.
+void InteractionController::clickInPlace(const session::Snapshot& snapshot, UiOutput& output) {
+  if ((mouse_ - pressed_).norm() < clickDistance) {
+    placing_.click(mouse_, GizmoPicture(camera_, view_), snapshot, output);
+  }
+}
+
 render::Ray InteractionController::rayThrough(const Vec2& position) const {
   return camera_.rayThrough(position.x() - view_.x, position.y() - view_.y, static_cast<int>(view_.width),
                             static_cast<int>(view_.height));
@@ -216,6 +253,9 @@ void InteractionController::on(const PressEvent& event, const session::Snapshot&
   if (!std::holds_alternative<Idle>(gesture_)) {
     return;  // one gesture at a time; another button does not end it
   }
+  if (event.button == MouseButton::Right && placing_.isOn()) {
+    return;
+  }
   if (event.button == MouseButton::Right) {
     pickVertex(event, snapshot, output);
     return;
@@ -229,7 +269,9 @@ void InteractionController::on(const PressEvent& event, const session::Snapshot&
 }
 
 void InteractionController::pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
-  if (selection_.mode() != SelectionMode::Off) {
+  if (placing_.isOn()) {
+    pressInPlace(event, snapshot);
+  } else if (selection_.mode() != SelectionMode::Off) {
     if (holdPins(event, snapshot)) {
       return;
     }
@@ -313,6 +355,7 @@ void InteractionController::endGesture(UiOutput& output) {
     output.commands.emplace_back(session::DetachCommand{});
   }
   selection_.cancelDrag();
+  placing_.cancelDrag();
   gesture_ = Idle{};
 }
 
@@ -320,6 +363,10 @@ void InteractionController::on(const ReleaseEvent& event, const session::Snapsho
   if (event.button == gestureButton_) {
     if (std::holds_alternative<Selecting>(gesture_)) {
       selection_.release(snapshot, toWindow());
+    } else if (std::holds_alternative<Placed>(gesture_)) {
+      placing_.release(snapshot, output);
+    } else if (std::holds_alternative<Orbiting>(gesture_) && placing_.isOn()) {
+      clickInPlace(snapshot, output);
     }
     endGesture(output);
   }
@@ -328,7 +375,10 @@ void InteractionController::on(const ReleaseEvent& event, const session::Snapsho
 void InteractionController::on(const MoveEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
   const Vec2 moved = (event.position - mouse_) / view_.height;
   mouse_ = event.position;
-  if (std::holds_alternative<Orbiting>(gesture_)) {
+  placing_.hover(event.position);
+  if (std::holds_alternative<Placed>(gesture_)) {
+    placing_.drag(event.position, GizmoPicture(camera_, view_), event.control);
+  } else if (std::holds_alternative<Orbiting>(gesture_)) {
     moveCamera(snapshot,
                [&](render::Camera& camera) { camera.orbit(-moved.x() * turnPerHeight, moved.y() * turnPerHeight); });
   } else if (std::holds_alternative<Panning>(gesture_)) {
@@ -362,6 +412,13 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
     endGesture(output);
     return;
   }
+  if (event.key == Key::Escape && placing_.isOn()) {
+    if (!placing_.isDragging()) {
+      placing_.end(output);
+    }
+    endGesture(output);
+    return;
+  }
   if (event.key == Key::Escape && selects()) {
     endGesture(output);
     select(UiAction::EndSelection, snapshot, output);
@@ -372,7 +429,8 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
     return;
   }
   const auto* action = std::get_if<UiAction>(&shortcut->action);
-  if (action == nullptr || !(moveCamera(*action, snapshot) || select(*action, snapshot, output))) {
+  if (action == nullptr ||
+      !(moveCamera(*action, snapshot) || select(*action, snapshot, output) || place(*action, snapshot, output))) {
     request(*shortcut, snapshot, output);
   }
 }

@@ -2,6 +2,7 @@
 
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
+#include "ui/placing.hpp"
 #include "ui/shortcuts.hpp"
 #include "ui/ui_output.hpp"
 #include "ui/vertex_selection.hpp"
@@ -27,6 +28,7 @@ struct ReleaseEvent {
 };
 struct MoveEvent {
   Vec2 position = Vec2::Zero();  ///< window units
+  bool control = false;          ///< whether Ctrl is held
 };
 struct ScrollEvent {
   double amount = 0.0;  ///< notches, positive away from the user
@@ -47,8 +49,11 @@ class InteractionController {
  public:
   [[nodiscard]] const render::Camera& camera() const { return camera_; }
 
-  /// The part of the window with the picture.
-  void setView(const UiRect& view) { view_ = view; }
+  /// The part of the window with the picture. @param scale of lengths on the screen
+  void setView(const UiRect& view, double scale = 1.0) {
+    view_ = view;
+    scale_ = scale;
+  }
 
   void handle(const InputEvent& event, const session::Snapshot& snapshot, UiOutput& output);
 
@@ -76,6 +81,13 @@ class InteractionController {
   [[nodiscard]] SelectionView selection(const session::Snapshot& snapshot);
   [[nodiscard]] bool selects() const { return selection_.isActive(); }
 
+  /// Starts the mode Place, or takes its next tool, when the action does that. False for other actions.
+  bool place(UiAction action, const session::Snapshot& snapshot, UiOutput& output);
+  [[nodiscard]] Placing& placing() { return placing_; }
+  [[nodiscard]] const Placing& placing() const { return placing_; }
+  /// The mode Place, for the window; empty while it is off.
+  [[nodiscard]] std::optional<PlacingView> placingView(const session::Snapshot& snapshot);
+
   /// Whether a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
   [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Pulling>(gesture_); }
@@ -85,6 +97,7 @@ class InteractionController {
   struct Orbiting {};
   struct Panning {};
   struct Selecting {};
+  struct Placed {};  ///< drags a handle of the gizmo
   struct Pulling {
     Vec3 point = Vec3::Zero();                  ///< the attached point [m]; sets the depth of the drag
     std::shared_ptr<const scene::Scene> scene;  ///< at the start of the gesture
@@ -112,6 +125,8 @@ class InteractionController {
   void on(const FocusLostEvent& event, const session::Snapshot& snapshot, UiOutput& output);
 
   void pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
+  void pressInPlace(const PressEvent& event, const session::Snapshot& snapshot);
+  void clickInPlace(const session::Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot);
   void pickVertex(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) const;
   bool holdPins(const PressEvent& event, const session::Snapshot& snapshot);
@@ -130,8 +145,11 @@ class InteractionController {
   render::Camera camera_;
   bool turns_ = false;  // as a turntable
   VertexSelection selection_;
+  Placing placing_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
-  std::variant<Idle, Orbiting, Panning, Selecting, Pulling, MovingBody, MovingPins> gesture_;
+  double scale_ = 1.0;
+  std::variant<Idle, Orbiting, Panning, Selecting, Placed, Pulling, MovingBody, MovingPins> gesture_;
+  Vec2 pressed_ = Vec2::Zero();
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

@@ -56,6 +56,14 @@ void selectionBox(PanelContext& context, const UiRect& view);
 
 /// The rows of that box for the keyframes of pins. Nothing without pins among the selected vertices.
 void pinKeyRows(PanelContext& context, const std::vector<int>& selected, float width);
+/// The row that starts the mode Place.
+void placeRow(PanelContext& context);
+
+/// The gizmo in the picture, and a box with the placement of the chosen thing. Nothing while the mode Place is off.
+void placingBox(PanelContext& context, const UiRect& view);
+
+/// Draws the gizmo and the box around the thing behind all panels.
+void drawGizmo(PanelContext& context, const PlacingView& placing, const UiRect& view);
 
 /// The rows of the section View for the camera.
 void cameraRows(PanelContext& context);

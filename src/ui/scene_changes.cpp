@@ -32,8 +32,13 @@ bool bodiesDiffer(const session::Snapshot& snapshot) {
   return false;
 }
 
+bool isPlaced(const scene::SceneDescription& description) {
+  return scene::placementsOf(description) != scene::writtenPlacementsOf(description);
+}
+
 bool pinsOrBodiesDiffer(const session::Snapshot& snapshot) {
-  return snapshot.model->pinned != snapshot.scene->model->pinned || bodiesDiffer(snapshot);
+  return snapshot.model->pinned != snapshot.scene->model->pinned || bodiesDiffer(snapshot) ||
+         isPlaced(snapshot.scene->description);
 }
 
 }  // namespace
@@ -43,7 +48,7 @@ bool hasChanges(const session::Snapshot& snapshot, const scene::Scene& opened) {
 }
 
 bool hasChanges(const session::UserState& now, const session::UserState& saved) {
-  return now.bodies != saved.bodies || !session::havePinsInCommon(now, saved) ||
+  return now.bodies != saved.bodies || now.placements != saved.placements || !session::havePinsInCommon(now, saved) ||
          settingsDiffer(now.settings, saved.settings, false);
 }
 

@@ -22,6 +22,7 @@ class SceneLoader {
   enum class Kind {
     Opened,   ///< another scene
     Rebuilt,  ///< the same scene with other settings
+    Placed,   ///< the same scene with other placements
     Restored  ///< the same scene with its own settings
   };
 

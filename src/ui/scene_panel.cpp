@@ -97,6 +97,7 @@ void meshRows(PanelContext& context) {
   }
   factRow(context, "pinned", text::formatCount(countPins(*context.snapshot.model)) + " vertices");
   selectRow(context);
+  placeRow(context);
   for (const std::string& warning : summary.warnings) {
     mutedText(warning, palette().warning);
   }

@@ -19,6 +19,7 @@ std::span<const Shortcut> shortcuts() {
                [](const session::Snapshot&) -> session::Command { return session::ResetCommand{}; }},
       Shortcut{Key::B, "B", "select vertices by a rectangle or a click", UiAction::SelectRectangle},
       Shortcut{Key::L, "L", "select an open border", UiAction::SelectBorder},
+      Shortcut{Key::G, "G", "place a cloth or a body; again: move, turn, scale", UiAction::Place},
       Shortcut{Key::None, "", "pin the selected vertices", UiAction::PinSelected},
       Shortcut{Key::None, "", "release the selected vertices", UiAction::ReleaseSelected},
       Shortcut{Key::P, "P", "pin the pulled vertex or the selected ones, or release them",

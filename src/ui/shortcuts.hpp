@@ -23,6 +23,7 @@ enum class Key {
   B,
   E,
   F,
+  G,
   H,
   L,
   O,

@@ -6,33 +6,18 @@
 #include "settings/settings.hpp"
 #include "sim/model/vector.hpp"
 #include "ui/export_request.hpp"
+#include "ui/placing_view.hpp"
 #include "ui/theme_choice.hpp"
+#include "ui/ui_rect.hpp"
 
 #include <array>
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace drape::ui {
-
-/// A rectangle in window coordinates; (0, 0) is the top left corner of the window.
-struct UiRect {
-  double x = 0.0;
-  double y = 0.0;
-  double width = 0.0;
-  double height = 0.0;
-  bool visible = true;  ///< false when it is scrolled out of view
-
-  [[nodiscard]] bool contains(const Vec2& point) const {
-    return point.x() >= x && point.x() < x + width && point.y() >= y && point.y() < y + height;
-  }
-};
-
-/// Rectangles by name: settings by key, buttons as "button.play" and the like, sections as "section.air".
-using UiRects = std::map<std::string, UiRect>;
 
 /// Open another scene: a built-in name, a scene file or a mesh file.
 struct OpenSceneRequest {
@@ -49,9 +34,28 @@ struct DroppedRequest {
   std::vector<std::string> files;
 };
 
-/// Rebuild the running scene, because a setting that its mesh depends on changed.
+/// Rebuild the running scene, because a setting that its mesh depends on changed, or a placement.
 struct RebuildSceneRequest {
-  settings::Settings settings;  ///< all of them, with the change
+  settings::Settings settings;                                 ///< all of them, with the change
+  std::optional<scene::Placements> placements = std::nullopt;  ///< empty: the present ones
+};
+
+/// A choice of the user in the mode Place.
+struct PlacingRequest {
+  enum class Kind {
+    Choose,    ///< another thing
+    UseTool,   ///< another tool
+    Preview,   ///< shows a placement while the user still changes it
+    Place,     ///< gives the thing a placement
+    Keep,      ///< the placement that was shown last
+    OnGround,  ///< lets the lowest point of the thing touch the ground
+    Restore,   ///< the placement of the scene file
+    End        ///< of the mode
+  };
+  Kind kind = Kind::End;
+  scene::Placeable thing = {};
+  PlacingTool tool = PlacingTool::Move;
+  scene::Placement placement = {};
 };
 
 /// Save a fabric of the user, and give it to the cloth.
@@ -100,6 +104,7 @@ enum class UiAction {
   ReleaseSelected,
   TogglePinsSelected,  ///< release them if all are pinned, else pin them
   EndSelection,
+  Place,             ///< starts the mode that moves, turns and scales things, or takes its next tool
   ToggleProjection,  ///< perspective or orthographic
   ToggleTurntable,
   RecallView1,  ///< a kept view of this scene; the four are in order
@@ -125,9 +130,9 @@ enum class UiAction {
   QuitAndLoseChanges  ///< without asking
 };
 
-using UiRequest =
-    std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest, SaveFabricRequest,
-                 SaveClothRequest, SaveSceneRequest, ThemeRequest, PickVertexRequest, ExportRequest, UiAction>;
+using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest,
+                               SaveFabricRequest, SaveClothRequest, SaveSceneRequest, ThemeRequest, PickVertexRequest,
+                               PlacingRequest, ExportRequest, UiAction>;
 
 /// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {
@@ -180,6 +185,7 @@ struct UiStats {
   std::string notice;                    ///< the last message, or empty
   std::vector<std::string> recentFiles;  ///< that were opened before, the newest first
   SelectionView selection;
+  std::optional<PlacingView> placing;  ///< empty: the mode Place is off
   CameraStatus camera;
   std::optional<PiercingNotice> piercing;     ///< empty: no body passes through the cloth
   std::optional<DressingProgress> dressing;   ///< empty: no dressing is under way

@@ -50,14 +50,17 @@ std::string Undo::redo(UiOutput& output) {
 
 void Undo::request(const session::UserState& from, const session::UserState& to, UiOutput& output) const {
   const auto changed = session::changedSettings(from.settings, to.settings);
-  const bool rebuilds = std::ranges::any_of(
-      changed, [](const settings::SettingInfo* info) { return info->effect == settings::SettingEffect::Scene; });
+  const bool places = from.placements != to.placements;
+  const bool rebuilds = places || std::ranges::any_of(changed, [](const settings::SettingInfo* info) {
+                          return info->effect == settings::SettingEffect::Scene;
+                        });
   // Pins and bodies follow when the scene is built: its mesh may have other vertices, and it starts with its own pins.
   std::vector<session::Command> commands =
       rebuilds ? session::settingCommands(from.settings, to.settings) : session::commandsBetween(from, to, *scene_);
   std::ranges::move(commands, std::back_inserter(output.commands));
   if (rebuilds) {
-    output.requests.emplace_back(RebuildSceneRequest{to.settings});
+    output.requests.emplace_back(
+        RebuildSceneRequest{to.settings, places ? std::optional(to.placements) : std::nullopt});
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace drape::ui {
 
-/// Undo and redo of settings, pins and bodies in the window: passes the states of the snapshots on to a
+/// Undo and redo of settings, pins, bodies and placements in the window: passes the states of the snapshots on to a
 /// session::ChangeHistory, and turns its steps into commands and requests.
 class Undo {
  public:

@@ -129,11 +129,12 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (panel.stats.exporting) {
     exportNotice(panel, stack);
   }
-  if (!memory.hasDragged && memory.picked.vertices().empty()) {
+  if (!memory.hasDragged && memory.picked.vertices().empty() && !panel.stats.placing) {
     dragHint(stack);
   }
   pickedPanel(panel, view);
   selectionBox(panel, view);
+  placingBox(panel, view);
   dialog(panel, view);
 }
 

@@ -81,6 +81,28 @@ TEST(Replay, followsAFigureToTheSameBits) {
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
 }
 
+TEST(Replay, keepsThePlacements) {
+  const scene::SceneDescription sphere = scene::openScene("sphere");
+  session::Simulation session(scene::buildScene(sphere, sphere.settings));
+  scene::Placements placements = scene::placementsOf(sphere);
+  placements.cloths[0] = {Vec3(0.1, 0.2, -1.0 / 3.0), Vec3(0.3, 20.0 / 3.0, 0), 1.1};
+  placements.bodies[0] = {Vec3(0.05, 0, 0), Vec3(0, 17.3, 0), 0.9};
+  session.apply(
+      session::LoadSceneCommand{scene::buildScene(scene::withPlacements(sphere, placements), session.settings())});
+  for (int i = 0; i < 4; ++i) {
+    session.step();
+  }
+  const std::string file = written(sessionLogOf(session));
+  EXPECT_EQ(readSessionLog(file).placements, placements);
+  const Outcome outcome = headless("run --replay " + file);
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  SessionLog log = sessionLogOf(session);
+  log.placements->cloths[0].scale = 1e6;
+  const Outcome refused = headless("run --replay " + written(log));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("scale"), std::string::npos) << refused.errors;
+}
+
 TEST(Replay, keepsTheSettingsThatTheSceneWasOpenedWith) {
   settings::Settings settings = scene::openScene("grid").settings;
   settings.step.material.stiffness = 123.0;

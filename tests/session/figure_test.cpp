@@ -215,7 +215,7 @@ TEST_F(Figures, GoBackWithTheTimelineToWhereTheyWereAndKeepTheChoice) {
 TEST_F(Figures, AreSavedWithTheScene) {
   advance(10);
   simulation_.apply(figureThat("raise_arms", 1.65, 1.5));
-  scene::SceneNow now{simulation_.settings(), simulation_.model().pinned, {}};
+  scene::SceneNow now{simulation_.settings(), simulation_.model().pinned, {}, {}};
   Snapshot snapshot;
   simulation_.capture(snapshot);
   for (const BodyStatus& body : snapshot.bodies) {

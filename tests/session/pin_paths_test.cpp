@@ -62,8 +62,9 @@ TEST(PinPaths, followTheirKeyframesWithEverySolver) {
 
 TEST(PinPaths, moveNearBodiesAsFarAsWithout) {
   // Near a body the step is divided into contact substeps.
-  const auto scene = cornersWith("auto", "[[bodies]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.2\n"
-                                         "position = [0, 0.9, 0.21]\n");
+  const auto scene = cornersWith("auto",
+                                 "[[bodies]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.2\n"
+                                 "position = [0, 0.9, 0.21]\n");
   Simulation simulation(scene);
   takeSteps(simulation, 60);
   EXPECT_NEAR((simulation.state().positions[4] - endOf(*scene, 4)).norm(), 0.0, 1e-12);
@@ -107,7 +108,9 @@ TEST(PinPaths, areRefusedWithAReason) {
     simulation.apply(SetPinPathsCommand{paths});
     return simulation.message();
   };
-  const scene::PinPath still{{0}, Vec3::Zero(), {{{0.0, Vec3::Zero(), Vec3::Zero()}}, false, Vec3::Zero()}};
+  scene::PinPath still;
+  still.vertices = {0};
+  still.motion.keyframes.emplace_back();
   scene::PinPath backwards = still;
   backwards.motion.keyframes.push_back(still.motion.keyframes.front());
   scene::PinPath endless = still;
@@ -118,7 +121,7 @@ TEST(PinPaths, areRefusedWithAReason) {
   EXPECT_EQ(refusal({endless}), "a loop needs at least two keyframes");
   EXPECT_EQ(refusal({outside}), "there is no vertex 25 in this cloth");
   EXPECT_EQ(refusal({still, still}), "the vertex 0 has keyframes twice");
-  EXPECT_EQ(refusal({{{0}, Vec3::Zero(), {}}}), "moving pins need keyframes with finite values");
+  EXPECT_EQ(refusal({scene::PinPath{}}), "moving pins need keyframes with finite values");
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_TRUE(snapshot.pinPaths->empty()) << "a refused command changes nothing";

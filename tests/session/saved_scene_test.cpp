@@ -69,7 +69,7 @@ TEST(SavedSceneWithPins, StartsWithTheUsersPinsAndBodies) {
   surface.kineticFriction = 1.25;
   simulation.apply(SetPinsCommand{{0, 7, 40}});
   simulation.apply(SetSurfaceCommand{0, surface});
-  scene::SceneNow now{simulation.settings(), simulation.model().pinned, {}};
+  scene::SceneNow now{simulation.settings(), simulation.model().pinned, {}, {}};
   for (std::size_t i = 0; i < simulation.bodies().bodies().size(); ++i) {
     now.bodies.push_back({simulation.bodies().isOn(i), Vec3::Zero(), simulation.bodies().surface(i)});
   }

@@ -3,6 +3,9 @@
 
 #include "panel_fixture.hpp"
 
+#include <algorithm>
+#include <variant>
+
 namespace drape::ui {
 namespace {
 
@@ -91,6 +94,20 @@ TEST_F(UndoPanel, NamesPinsAndBodies) {
   pass({});
   EXPECT_EQ(undo(), "Undone: ground switched off");
   EXPECT_TRUE(simulation_.bodies().isOn(0));
+}
+
+TEST_F(UndoPanel, TakesBackAPlacementAndNamesIt) {
+  const scene::Placements before = scene::placementsOf(simulation_.scene().description);
+  scene::Placements after = before;
+  after.cloths[0].position = Vec3(0.2, 0, 0);
+  simulation_.apply(session::LoadSceneCommand{
+      scene::buildScene(scene::withPlacements(simulation_.scene().description, after), simulation_.settings())});
+  pass({});
+  EXPECT_EQ(undo(), "Undone: placement of the cloth");
+  const auto rebuild = std::ranges::find_if(
+      requests_, [](const UiRequest& request) { return std::holds_alternative<RebuildSceneRequest>(request); });
+  ASSERT_NE(rebuild, requests_.end());
+  EXPECT_EQ(std::get<RebuildSceneRequest>(*rebuild).placements, before);
 }
 
 TEST(UndoInWords, NamesTheMotionAndTheMeasuresOfAFigure) {

@@ -250,6 +250,26 @@ Json dressingOf(const ui::UiStats& stats) {
   return {{"words", stats.dressing->words}, {"share", stats.dressing->share}};
 }
 
+Json placingOf(const ui::UiStats& stats, const scene::Scene& scene) {
+  if (!stats.placing) {
+    return nullptr;
+  }
+  static constexpr std::array tools{"move", "turn", "scale"};
+  const ui::PlacingView& placing = *stats.placing;
+  return {{"thing", scene::nameOf(scene.description, placing.thing)},
+          {"tool", tools[static_cast<std::size_t>(placing.tool)]},
+          {"middle", toJson(placing.middle)},
+          {"rotation", toJson(placing.placement.rotation)},
+          {"scale", placing.placement.scale},
+          {"builds", placing.isBuilding}};
+}
+
+/// The corners of the box around the cloth [m].
+Json boundsOfCloth(const session::Snapshot& snapshot) {
+  const Eigen::AlignedBox3d box = sim::boundsOf(snapshot.positions);
+  return {{"min", toJson(box.min())}, {"max", toJson(box.max())}};
+}
+
 Json piercingOf(const ui::UiStats& stats) {
   if (!stats.piercing) {
     return nullptr;
@@ -282,6 +302,8 @@ Json describeAll(const ViewerStatus& status) {
   json["selection"] = {{"on", selection.mode != ui::SelectionMode::Off},
                        {"vertices", selection.points.size()},
                        {"pinned", selection.pinned}};
+  json["placing"] = placingOf(status.stats, *status.snapshot.scene);
+  json["cloth_bounds"] = boundsOfCloth(status.snapshot);
   json["export"] = exportOf(status.stats);
   json["dressing"] = dressingOf(status.stats);
   json["piercing"] = piercingOf(status.stats);

@@ -139,15 +139,16 @@ void Viewer::frame() {
   }
   ui::UiOutput output;
   panels_.setDisplay(display_);
-  controller_.setView(panels_.view());
+  controller_.setView(panels_.view(), display_.scale);
   followScene(snapshot);
+  controller_.placing().follow(snapshot);
   takeLoadedScene(snapshot);
   followDressing(snapshot);
   events_.beginFrame();
   stats_.field = &fieldDisplay_.update(snapshot, fields_);
   stats_.fields = &fields_;
   panels_.build(snapshot, stats_, output);
-  controller_.setView(panels_.view());
+  controller_.setView(panels_.view(), display_.scale);
   handleInput(snapshot, output);
   followCamera(snapshot);
   watchChanges(snapshot, output);
@@ -163,8 +164,9 @@ void Viewer::draw(const session::Snapshot& snapshot) {
   const auto pixels = [&](double length) {
     return std::max(1, static_cast<int>(std::lround(length * display_.density)));
   };
-  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height),
-                 {.field = stats_.field, .picked = panels_.picked().vertices()});
+  const bool places = controller_.placing().isOn();  // then the picture shows the start, which has no field
+  renderer_.draw(controller_.placing().shown(snapshot), controller_.camera(), pixels(view.width), pixels(view.height),
+                 {.field = places ? nullptr : stats_.field, .picked = panels_.picked().vertices()});
   blit(view);
   panels_.renderDrawData();
   glfwSwapBuffers(window_.window());
@@ -222,6 +224,7 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     return;
   }
   if (!outcome->scene) {
+    controller_.placing().expectNothing();
     showError(outcome->error);
     return;
   }
@@ -238,13 +241,16 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     keepOwnFabrics(snapshot);
   }
   using Kind = ui::SceneLoader::Kind;
-  if (outcome->kind != Kind::Opened) {
+  if (outcome->kind == Kind::Rebuilt || outcome->kind == Kind::Restored) {
     resizedScene_ = differsInSize(*outcome->scene, *snapshot.scene) ? outcome->scene : nullptr;
   }
-  if (outcome->kind == Kind::Rebuilt) {
+  if (outcome->kind == Kind::Rebuilt || outcome->kind == Kind::Placed) {
     // Keep the user's changes since the start of the build.
     for (auto& change : session::runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
+    }
+    if (outcome->kind == Kind::Placed) {
+      keepPinsAndBodies(*outcome->scene, snapshot);
     }
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
@@ -263,6 +269,7 @@ void Viewer::followScene(const session::Snapshot& snapshot) {
     openedScene_ = shownScene_;
     controller_.lookAtScene(*shownScene_);
     undo_.forget();
+    controller_.placing().forget();
     savedFile_.clear();
     savedState_.reset();
     noteOpenedFiles(shownScene_->description.parts);
@@ -292,7 +299,7 @@ bool Viewer::belongsToPanels(const ui::InputEvent& event) {
   if (const auto* key = std::get_if<ui::KeyEvent>(&event)) {
     // A held key must not close what its first press opened.
     const bool closes = key->key == ui::Key::Escape && !key->repeated && !controller_.holdsCloth();
-    return panels_.takesText() || (closes && panels_.closeOverlay());
+    return panels_.takesText() || (closes && !controller_.placing().isDragging() && panels_.closeOverlay());
   }
   return false;
 }

@@ -71,6 +71,9 @@ class Viewer {
   void on(const ui::SaveSceneRequest& request, const session::Snapshot& snapshot);
   void on(const ui::ThemeRequest& request, const session::Snapshot& snapshot);
   void on(const ui::PickVertexRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::PlacingRequest& request, const session::Snapshot& snapshot);
+  void startPlacing(ui::UiAction action, const session::Snapshot& snapshot);
+  void keepPinsAndBodies(const scene::Scene& built, const session::Snapshot& snapshot);
   void on(const ui::ExportRequest& request, const session::Snapshot& snapshot);
   [[nodiscard]] std::future<session::RecordedState> presentState();
   void followExport();

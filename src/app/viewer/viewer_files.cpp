@@ -117,7 +117,8 @@ void Viewer::on(const ui::ThemeRequest& request, const session::Snapshot& /*snap
 
 void Viewer::watchChanges(const session::Snapshot& snapshot, ui::UiOutput& output) {
   undo_.noteCommands(output.commands);
-  const bool settled = !panels_.isBusy() && !controller_.holdsBody() && stats_.loading.empty();
+  const bool settled =
+      !panels_.isBusy() && !controller_.holdsBody() && !controller_.placing().isBuilding() && stats_.loading.empty();
   undo_.watch(snapshot, panels_.settingsInForce(snapshot), settled, glfwGetTime(), output);
 }
 
@@ -137,6 +138,7 @@ void Viewer::followCamera(const session::Snapshot& snapshot) {
     lastChange_ = Clock::now();
   }
   stats_.selection = controller_.selection(snapshot);
+  stats_.placing = controller_.placingView(snapshot);
   stats_.camera = {controller_.camera().isOrthographic(), controller_.turns(), {}};
   if (const SceneViews* views = preferences_.viewsOf(sceneKey(snapshot))) {
     for (std::size_t i = 0; i < views->views.size(); ++i) {

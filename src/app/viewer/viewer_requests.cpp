@@ -49,7 +49,13 @@ void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& sn
 
 void Viewer::on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot) {
   stats_.error.clear();
-  loader_.rebuild(snapshot.scene->description, request.settings);
+  using Kind = ui::SceneLoader::Kind;
+  const scene::Placements placements = request.placements.value_or(controller_.placing().placements(snapshot));
+  if (request.placements) {
+    controller_.placing().expect(placements);
+  }
+  loader_.rebuild(scene::withPlacements(snapshot.scene->description, placements), request.settings,
+                  request.placements ? Kind::Placed : Kind::Rebuilt);
 }
 
 void Viewer::on(const ui::SaveFabricRequest& request, const session::Snapshot& snapshot) {
@@ -137,6 +143,9 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
     case ui::UiAction::EndSelection:
       selectOrPin(action, snapshot);
       break;
+    case ui::UiAction::Place:
+      startPlacing(action, snapshot);
+      break;
     case ui::UiAction::ToggleProjection:
     case ui::UiAction::ToggleTurntable:
     case ui::UiAction::FrameCloth:
@@ -167,20 +176,23 @@ void Viewer::selectOrPin(ui::UiAction action, const session::Snapshot& snapshot)
   execute(output, snapshot);
 }
 
-/// Loads the scene as it is when its mesh settings are the author's; otherwise builds it again.
+/// Loads the scene as it is when its mesh settings and placements are the author's; otherwise builds it again.
 void Viewer::resetAll(const session::Snapshot& snapshot) {
   stats_.error.clear();
   const scene::Scene& scene = *snapshot.scene;
   settings::Settings own = scene.description.settings;
   ui::useWindowDefaults(own);
-  if (settings::differingSettings(scene.settings, own).empty()) {
+  const scene::Placements written = scene::writtenPlacementsOf(scene.description);
+  const bool isPlaced = controller_.placing().placements(snapshot) != written;
+  if (!isPlaced && settings::differingSettings(scene.settings, own).empty()) {
     simulation_.post(session::LoadSceneCommand{snapshot.scene});
     keepOwnFabrics(snapshot);
     if (snapshot.placedStart) {
       simulation_.post(session::PlaceClothCommand{*snapshot.placedStart, true});
     }
   } else {
-    loader_.rebuild(scene.description, own, ui::SceneLoader::Kind::Restored);
+    controller_.placing().expect(written);
+    loader_.rebuild(scene::withPlacements(scene.description, written), own, ui::SceneLoader::Kind::Restored);
   }
 }
 
@@ -195,6 +207,7 @@ void Viewer::stopLoadingOrQuit(const session::Snapshot& snapshot) {
   if (dressing_) {
     cancelDressing();
   } else if (loader_.cancel()) {
+    controller_.placing().expectNothing();
     showNotice("Stopped. The scene did not change");
   } else {
     quitOrAsk(snapshot);

@@ -74,6 +74,8 @@ std::optional<ui::Key> letterKey(int key, int scancode, bool shift) {
       return ui::Key::E;
     case 'f':
       return ui::Key::F;
+    case 'g':
+      return ui::Key::G;
     case 'h':
       return ui::Key::H;
     case 'l':
@@ -206,7 +208,9 @@ void WindowEvents::onKey(int key, int scancode, int action, int modifiers) {
 
 void WindowEvents::feed(const ui::RawMove& move) {
   mouse_ = {move.x, move.y};
-  batch_.input.emplace_back(ui::MoveEvent{mouse_});
+  const bool control = glfwGetKey(window_, GLFW_KEY_LEFT_CONTROL) == GLFW_PRESS ||
+                       glfwGetKey(window_, GLFW_KEY_RIGHT_CONTROL) == GLFW_PRESS;
+  batch_.input.emplace_back(ui::MoveEvent{mouse_, control});
 }
 
 void WindowEvents::feed(const ui::RawButton& button) {

@@ -103,7 +103,11 @@ Keyframe keyframeAt(const BodyMotion& motion, double time) {
 
 Pose poseAt(const BodyMotion& motion, double time) {
   const Keyframe key = keyframeAt(motion, time);
-  return {(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};
+  const Pose own{(turnBy(motion.spin * time) * turnBy(key.rotation)).normalized(), key.position};
+  if (!motion.placement) {
+    return own;
+  }
+  return {(motion.placement->rotation * own.rotation).normalized(), motion.placement->toWorld(own.position)};
 }
 
 }  // namespace drape::sim::contact

@@ -3,6 +3,7 @@
 #include "sim/contact/bodies/pose.hpp"
 #include "sim/model/vector.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace drape::sim::contact {
@@ -25,6 +26,7 @@ struct BodyMotion {
   std::vector<Keyframe> keyframes;  ///< at least one, times ascending
   bool loop = false;
   Vec3 spin = Vec3::Zero();  ///< additional rotation about the origin of its frame: axis times angular velocity [rad/s]
+  std::optional<Pose> placement;  ///< applied after all of this; empty: none
 
   [[nodiscard]] bool moves() const { return keyframes.size() > 1 || !spin.isZero(0.0); }
 

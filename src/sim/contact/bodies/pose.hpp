@@ -9,6 +9,8 @@ struct Pose {
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   Vec3 position = Vec3::Zero();  ///< [m]
 
+  bool operator==(const Pose&) const = default;
+
   [[nodiscard]] Vec3 toWorld(const Vec3& local) const { return rotation * local + position; }
   [[nodiscard]] Vec3 toLocal(const Vec3& world) const { return rotation.conjugate() * (world - position); }
 };

@@ -57,6 +57,23 @@ TEST(BodyMotion, hasAContinuousVelocityThatIsZeroAtItsEnds) {
   EXPECT_LT(velocity(1.0).norm(), 1e-3) << "all components turn back";
 }
 
+TEST(BodyMotion, isPlacedAfterAllOfIt) {
+  const BodyMotion own = unequalKeys();
+  BodyMotion placed = own;
+  placed.spin = Vec3(0, 0.5, 0);
+  placed.placement = poseOf(Vec3(0, 5, 0), Vec3(0, 0, 0.25 * turn));
+  for (const double time : {0.0, 0.8, 2.0}) {
+    BodyMotion spinning = own;
+    spinning.spin = placed.spin;
+    const Pose before = poseAt(spinning, time);
+    const Pose after = poseAt(placed, time);
+    EXPECT_LT((after.position - (Vec3(0, 5, 0) + Vec3(-before.position.y(), before.position.x(), before.position.z())))
+                  .norm(),
+              1e-12);
+    EXPECT_LT(after.rotation.angularDistance(placed.placement->rotation * before.rotation), 1e-7);
+  }
+}
+
 TEST(BodyMotion, loopsWithoutAStop) {
   BodyMotion motion = unequalKeys();
   motion.loop = true;

@@ -1,0 +1,53 @@
+// The mode Place: requests of the user, and what stays when the scene is built with another placement.
+#include "app/viewer/viewer.hpp"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace drape::app {
+
+void Viewer::on(const ui::PlacingRequest& request, const session::Snapshot& snapshot) {
+  ui::UiOutput output;
+  controller_.placing().on(request, snapshot, output);
+  execute(output, snapshot);
+}
+
+void Viewer::startPlacing(ui::UiAction action, const session::Snapshot& snapshot) {
+  ui::UiOutput output;
+  controller_.place(action, snapshot, output);
+  if (snapshot.placedStart && controller_.placing().isOn()) {
+    output.hint = "A placement undoes the dressing; press Dress again after it";
+  }
+  execute(output, snapshot);
+}
+
+/// A scene with another placement has the same vertices and bodies, so the user's pins and bodies stay. Bodies that the
+/// mouse moved begin where the scene has them, as after a return to the start.
+void Viewer::keepPinsAndBodies(const scene::Scene& built, const session::Snapshot& snapshot) {
+  const std::vector<bool>& pinned = snapshot.model->pinned;
+  if (pinned.size() == built.model->pinned.size() && pinned != built.model->pinned) {
+    session::SetPinsCommand pins;
+    for (std::size_t v = 0; v < pinned.size(); ++v) {
+      if (pinned[v]) {
+        pins.vertices.push_back(static_cast<int>(v));
+      }
+    }
+    simulation_.post(std::move(pins));
+  }
+  for (std::size_t i = 0; i < snapshot.bodies.size() && i < built.bodies->size(); ++i) {
+    const session::BodyStatus& status = snapshot.bodies[i];
+    const int body = static_cast<int>(i);
+    if (!status.on) {
+      simulation_.post(session::SwitchBodyCommand{body, false});
+    }
+    if (status.surface != (*built.bodies)[i].surface) {
+      simulation_.post(session::SetSurfaceCommand{body, status.surface});
+    }
+    if (status.figure && i < built.description.bodies.size() && status.figure != built.description.bodies[i].figure) {
+      simulation_.post(session::SetFigureCommand{body, *status.figure});
+    }
+  }
+}
+
+}  // namespace drape::app

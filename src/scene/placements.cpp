@@ -1,0 +1,101 @@
+#include "scene/placements.hpp"
+
+#include "messages/error.hpp"
+#include "scene/toml_reader.hpp"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <iterator>
+#include <variant>
+
+namespace drape::scene {
+namespace {
+
+void requireAllowed(const Placement& placement) {
+  if (!isAllowed(placement)) {
+    throw messages::InputError(
+        fmt::format("a placement needs a position of at most {} m, a finite rotation and a scale from {} to {}",
+                    farAway, minPlacementScale, maxPlacementScale));
+  }
+}
+
+/// Sets the placements of all cloths, or of all bodies.
+template <typename Description>
+void assign(const std::vector<Placement>& placements, std::vector<Description>& descriptions, const char* what) {
+  if (placements.size() != descriptions.size()) {
+    throw messages::InputError(fmt::format("there are {} placements of {}, but the scene has {} of them",
+                                           placements.size(), what, descriptions.size()));
+  }
+  for (std::size_t i = 0; i < placements.size(); ++i) {
+    requireAllowed(placements[i]);
+    descriptions[i].placement = placements[i];
+  }
+}
+
+}  // namespace
+
+bool isAllowed(const Placement& placement) {
+  return placement.position.allFinite() && placement.position.cwiseAbs().maxCoeff() <= farAway &&
+         placement.rotation.allFinite() && placement.scale >= minPlacementScale && placement.scale <= maxPlacementScale;
+}
+
+const Placement& Placements::of(const Placeable& thing) const& {
+  return thing.kind == Placeable::Kind::Cloth ? cloths.at(thing.index) : bodies.at(thing.index);
+}
+
+Placement& Placements::of(const Placeable& thing) & {
+  return thing.kind == Placeable::Kind::Cloth ? cloths.at(thing.index) : bodies.at(thing.index);
+}
+
+Placements placementsOf(const SceneDescription& description) {
+  Placements all;
+  std::ranges::transform(description.cloths, std::back_inserter(all.cloths), &ClothDescription::placement);
+  std::ranges::transform(description.bodies, std::back_inserter(all.bodies), &BodyDescription::placement);
+  return all;
+}
+
+Placements writtenPlacementsOf(const SceneDescription& description) {
+  Placements all;
+  std::ranges::transform(description.cloths, std::back_inserter(all.cloths), &ClothDescription::writtenPlacement);
+  std::ranges::transform(description.bodies, std::back_inserter(all.bodies), &BodyDescription::writtenPlacement);
+  return all;
+}
+
+SceneDescription withPlacements(SceneDescription description, const Placements& placements) {
+  assign(placements.cloths, description.cloths, "cloths");
+  assign(placements.bodies, description.bodies, "bodies");
+  return description;
+}
+
+std::vector<Placeable> placeablesOf(const SceneDescription& description) {
+  std::vector<Placeable> all;
+  for (std::size_t i = 0; i < description.cloths.size(); ++i) {
+    all.push_back({Placeable::Kind::Cloth, i});
+  }
+  for (std::size_t i = 0; i < description.bodies.size(); ++i) {
+    all.push_back({Placeable::Kind::Body, i});
+  }
+  return all;
+}
+
+std::string nameOf(const SceneDescription& description, const Placeable& thing) {
+  if (thing.kind == Placeable::Kind::Body) {
+    return description.bodies.at(thing.index).body.name;
+  }
+  const std::string& name = description.cloths.at(thing.index).name;
+  return name.empty() ? "cloth" : name;
+}
+
+std::string whyNotScaled(const SceneDescription& description, const Placeable& thing) {
+  if (thing.kind == Placeable::Kind::Cloth) {
+    return {};
+  }
+  const BodyDescription& body = description.bodies.at(thing.index);
+  if (body.figure) {
+    return "A figure has its size by its measures, in the section Scene.";
+  }
+  const bool isPlane = body.meshes.empty() && std::holds_alternative<sim::contact::PlaneShape>(body.body.shape);
+  return isPlane ? "A plane is infinite, so it has no scale." : std::string();
+}
+
+}  // namespace drape::scene

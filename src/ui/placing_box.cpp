@@ -1,0 +1,267 @@
+// The box of the mode Place: the thing, the tool, and its placement in numbers.
+#include "messages/error.hpp"
+#include "text/number_text.hpp"
+#include "ui/number_slider.hpp"
+#include "ui/panels.hpp"
+#include "ui/widgets.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace drape::ui {
+namespace {
+
+using Kind = PlacingRequest::Kind;
+
+/// A number of a placement, as the box shows it.
+struct PlacingNumber {
+  std::string key;
+  std::string title;  ///< for messages
+  std::string format;
+  std::string unit;  ///< for messages
+  SliderRange range;
+  double min = 0.0;  ///< of a typed number
+  double max = 0.0;
+  double value = 0.0;
+};
+
+/// What the user did with a number in this frame.
+struct PlacingEdit {
+  std::optional<double> value;  ///< the new one
+  bool finished = false;        ///< whether the user let go of it
+};
+
+/// Of what is in the box [window units].
+float boxWidth() {
+  return 20.0F * ImGui::GetFontSize();
+}
+
+void ask(PanelContext& context, PlacingRequest request) {
+  context.output.requests.emplace_back(std::move(request));
+}
+
+const char* helpOf(PlacingTool tool) {
+  switch (tool) {
+    case PlacingTool::Move:
+      return "Drag an arrow, a square or the middle. Ctrl: steps of 1 cm.";
+    case PlacingTool::Turn:
+      return "Drag a ring. Ctrl: steps of 5 degrees.";
+    case PlacingTool::Scale:
+      return "Drag the square. Ctrl: steps of 10 %. Cloth is made in this size.";
+  }
+  return "";
+}
+
+double parsedNumber(const PlacingNumber& number, const std::string& typed) {
+  const auto value = text::parseNumber(typed);
+  if (!value || !std::isfinite(*value) || *value < number.min || *value > number.max) {
+    throw messages::UsageError(fmt::format("{} must be a number from {} to {}{}, not '{}'", number.title, number.min,
+                                           number.max, number.unit, typed));
+  }
+  return *value;
+}
+
+PlacingEdit numberField(PanelContext& context, const PlacingNumber& number, float width) {
+  const SliderInput input{
+      number.key, number.range, number.format,
+      [&](double value) -> settings::SettingValue { return std::clamp(value, number.range.min, number.range.max); },
+      [&](const std::string& typed) -> settings::SettingValue { return parsedNumber(number, typed); }};
+  ImGui::PushID(number.key.c_str());
+  ImGui::SetNextItemWidth(width);
+  const Edit edit = numberSlider(context, input, number.value);
+  context.widgets[number.key] = lastItemRect();
+  ImGui::PopID();
+  return {edit.changed ? std::optional(std::get<double>(edit.value)) : std::nullopt, edit.finished};
+}
+
+/// Shows a placement while the user drags a number, and gives it to the thing at the end.
+void take(PanelContext& context, const PlacingEdit& edit, const std::optional<scene::Placement>& placement) {
+  if (placement) {
+    ask(context, {.kind = edit.finished ? Kind::Place : Kind::Preview, .placement = *placement});
+  } else if (edit.finished) {
+    ask(context, {.kind = Kind::Keep});
+  }
+}
+
+constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
+
+/// A row of three numbers. @return the new vector when the user changed one; the edit says whether that is finished
+std::optional<Vec3> vectorRow(PanelContext& context, const char* title, const PlacingNumber& common, const Vec3& value,
+                              PlacingEdit& edit) {
+  const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+  const float width = (boxWidth() - 2.0F * gap) / 3.0F;
+  mutedText(title);
+  std::optional<Vec3> changed;
+  for (int axis = 0; axis < 3; ++axis) {
+    const char* name = axisNames[static_cast<std::size_t>(axis)];
+    PlacingNumber number = common;
+    number.key += std::string(".") + name;
+    number.title += std::string(" ") + name;
+    number.value = value[axis];
+    const PlacingEdit one = numberField(context, number, width);
+    explainItem(context, number.key,
+                fmt::format("{}. Drag, or Ctrl+click and type: {} to {}{}.", number.title, number.min, number.max,
+                            number.unit));
+    if (one.value) {
+      changed = value;
+      (*changed)[axis] = *one.value;
+    }
+    edit.finished = edit.finished || one.finished;
+    if (axis < 2) {
+      ImGui::SameLine(0.0F, gap);
+    }
+  }
+  return changed;
+}
+
+void positionRow(PanelContext& context, const PlacingView& placing) {
+  constexpr double near = 3.0;   // [m]
+  constexpr double far = 100.0;  // [m]
+  PlacingEdit edit;
+  const auto changed = vectorRow(context, "Position of the middle [m]",
+                                 {"placing.position", "Position", "%.3f", " m", {-near, near, false}, -far, far, 0.0},
+                                 placing.middle, edit);
+  std::optional<scene::Placement> placement;
+  if (changed) {
+    placement = scene::movedTo(placing.placement, placing.rawMiddle, *changed);
+  }
+  take(context, edit, placement);
+}
+
+void rotationRow(PanelContext& context, const PlacingView& placing) {
+  constexpr double half = 180.0;   // [degrees]
+  constexpr double whole = 360.0;  // [degrees]
+  PlacingEdit edit;
+  const auto changed =
+      vectorRow(context, "Rotation, axis times angle [degrees]",
+                {"placing.rotation", "Rotation", "%.1f", " degrees", {-half, half, false}, -whole, whole, 0.0},
+                placing.placement.rotation, edit);
+  std::optional<scene::Placement> placement;
+  if (changed) {
+    placement = scene::withRotation(placing.placement, placing.rawMiddle, *changed);
+  }
+  take(context, edit, placement);
+}
+
+void scaleRow(PanelContext& context, const PlacingView& placing) {
+  mutedText("Scale");
+  const std::string refusal = scene::whyNotScaled(context.snapshot.scene->description, placing.thing);
+  if (!refusal.empty()) {
+    ImGui::TextUnformatted(refusal.c_str());
+    return;
+  }
+  const PlacingEdit edit = numberField(context,
+                                       {"placing.scale",
+                                        "Scale",
+                                        "%.3f",
+                                        "",
+                                        {0.1, 10.0, true},
+                                        scene::minPlacementScale,
+                                        scene::maxPlacementScale,
+                                        placing.placement.scale},
+                                       boxWidth());
+  explainItem(
+      context, "placing.scale",
+      "Factor of the size in the scene. A cloth is larger at rest then, so it weighs more and is not stretched.");
+  std::optional<scene::Placement> placement;
+  if (edit.value) {
+    placement = scene::scaledAbout(placing.placement, placing.rawMiddle, *edit.value);
+  }
+  take(context, edit, placement);
+}
+
+void thingRow(PanelContext& context, const PlacingView& placing) {
+  const scene::SceneDescription& description = context.snapshot.scene->description;
+  const std::vector<scene::Placeable> things = scene::placeablesOf(description);
+  const std::string name = scene::nameOf(description, placing.thing);
+  if (things.size() == 1) {
+    ImGui::TextUnformatted(("Place the " + name).c_str());
+    return;
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Place");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(boxWidth() - ImGui::CalcTextSize("Place").x - ImGui::GetStyle().ItemSpacing.x);
+  if (ImGui::BeginCombo("##thing", name.c_str())) {
+    for (const scene::Placeable& thing : things) {
+      const std::string each = scene::nameOf(description, thing);
+      if (ImGui::Selectable(each.c_str(), thing == placing.thing)) {
+        ask(context, {.kind = Kind::Choose, .thing = thing});
+      }
+      context.buttons["placing.thing=" + each] = lastItemRect();
+    }
+    ImGui::EndCombo();
+  }
+  context.buttons["placing.thing"] = lastItemRect();
+}
+
+void toolRow(PanelContext& context, const PlacingView& placing) {
+  static constexpr std::array<Segment, 3> tools{{{"move", "Move"}, {"turn", "Turn"}, {"scale", "Scale"}}};
+  const auto chosen = static_cast<std::size_t>(placing.tool);
+  ImGui::SetNextItemWidth(boxWidth());
+  const std::size_t next = segments(context, "placing.tool", tools, chosen);
+  if (next != chosen) {
+    ask(context, {.kind = Kind::UseTool, .tool = static_cast<PlacingTool>(next)});
+  }
+}
+
+void buttonRow(PanelContext& context) {
+  const float width = (boxWidth() - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  if (iconButton(context, "place_on_ground", Icon::None, "To ground", width)) {
+    ask(context, {.kind = Kind::OnGround});
+  }
+  explainItem(context, "place_on_ground",
+              "Lets the lowest point touch the ground. Cloth keeps its contact offset from it.");
+  ImGui::SameLine();
+  if (iconButton(context, "restore_placement", Icon::None, "Restore", width)) {
+    ask(context, {.kind = Kind::Restore});
+  }
+  explainItem(context, "restore_placement", "Puts it back to where the scene file has it.");
+  ImGui::SameLine();
+  if (iconButton(context, "end_placing", Icon::None, "Done (Esc)", width, true)) {
+    ask(context, {.kind = Kind::End});
+  }
+}
+
+}  // namespace
+
+void placeRow(PanelContext& context) {
+  beginRow(context, "Place");
+  if (iconButton(context, "place", Icon::None, "Move, turn, scale (G)", ImGui::CalcItemWidth(),
+                 context.stats.placing.has_value())) {
+    if (context.stats.placing) {
+      ask(context, {.kind = Kind::End});
+    } else {
+      context.output.requests.emplace_back(UiAction::Place);
+    }
+  }
+  explainItem(context, "place", "Moves, turns and scales a cloth or a body. The scene starts anew with it.");
+}
+
+void placingBox(PanelContext& context, const UiRect& view) {
+  if (!context.stats.placing) {
+    return;
+  }
+  const PlacingView& placing = *context.stats.placing;
+  drawGizmo(context, placing, view);
+  const float margin = 12.0F * context.scale;
+  beginCorner(context, "overlay.placing", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
+              {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
+  thingRow(context, placing);
+  toolRow(context, placing);
+  mutedText(helpOf(placing.tool));
+  positionRow(context, placing);
+  rotationRow(context, placing);
+  scaleRow(context, placing);
+  buttonRow(context);
+  ImGui::PopTextWrapPos();
+  endCorner();
+}
+
+}  // namespace drape::ui
