@@ -235,6 +235,17 @@ void readSettings(const TomlReader& reader, settings::Settings& settings, std::v
   }
 }
 
+/// Refuses a file of a newer version as such, before its unknown keys are errors.
+void requireKnownFormat(const TomlReader& reader) {
+  constexpr int manyFormats = 1'000'000;
+  const int format = reader.integer("format", 1, manyFormats).value_or(sceneFormat);
+  if (format > sceneFormat) {
+    throw messages::InputError(fmt::format(
+        "{}: a newer version of Drape wrote this scene (format {}); this version reads formats up to {}. Update Drape.",
+        reader.place("format"), format, sceneFormat));
+  }
+}
+
 /// Reads the settings that a cloth has for itself.
 void readOwnSettings(const TomlReader& reader, SceneDescription& scene, ClothDescription& cloth) {
   settings::Settings changed = scene.settings;
@@ -252,8 +263,9 @@ void readOwnSettings(const TomlReader& reader, SceneDescription& scene, ClothDes
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                             const std::filesystem::path& folder, const settings::OwnFabrics& own) {
   const TomlReader reader(text, file);
-  reader.allowOnly({"title", "help", "cloth", "cloths", "pins", "seams", "camera", "stand", "ground", "bodies",
-                    "settings", "fabrics"});
+  requireKnownFormat(reader);
+  reader.allowOnly({"format", "title", "help", "cloth", "cloths", "pins", "seams", "camera", "stand", "ground",
+                    "bodies", "settings", "fabrics"});
   SceneDescription scene;
   scene.settings.fabric.own = settings::joined(own, readFabrics(reader));
   scene.name = name;

@@ -8,6 +8,9 @@
 
 namespace drape::scene {
 
+/// The format of scene files that this version writes, in their key `format`. It reads this one and earlier ones.
+inline constexpr int sceneFormat = 1;
+
 /// Reads a scene from TOML text (docs/guide/scenes.md). Mesh paths are relative to `folder`; "builtin:skirt.obj" names
 /// a built-in mesh. Throws InputError with file and line.
 /// @param name of the scene  @param file for messages  @param own the user's fabrics; those of the scene are added

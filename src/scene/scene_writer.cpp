@@ -270,6 +270,7 @@ void writeStandAndGround(Writing& writing) {
 /// Everything but the settings.
 std::string documentText(Writing& writing) {
   const SceneDescription& description = writing.description();
+  writing.toml.value("format", std::to_string(sceneFormat));
   writing.toml.text("title", description.title);
   if (!description.help.empty() && !description.opened) {
     writing.toml.text("help", description.help);

@@ -301,5 +301,13 @@ TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {
   EXPECT_NE(refusal(scene).find("no body with the name \"hero\""), std::string::npos) << refusal(scene);
 }
 
+TEST(SceneFormat, ofANewerVersionIsNamedBeforeItsUnknownKeys) {
+  const std::string cloth = "[cloth]\ngrid = \"vertical\"\n";
+  EXPECT_EQ(refusal("format = 1\n" + cloth), "");
+  EXPECT_EQ(refusal("title = \"From the future\"\nformat = 2\nmagnets = 3\n" + cloth),
+            "test.toml:2: a newer version of Drape wrote this scene (format 2); this version reads formats up to 1. "
+            "Update Drape.");
+}
+
 }  // namespace
 }  // namespace drape::scene
