@@ -250,8 +250,9 @@ void placingBox(PanelContext& context, const UiRect& view) {
   const PlacingView& placing = *context.stats.placing;
   drawGizmo(context, placing, view);
   const float margin = 12.0F * context.scale;
-  beginCorner(context, "overlay.placing", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
-              {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
+  // In the middle of the left side: messages are above it, the timeline and the legend below.
+  const ImVec2 at{static_cast<float>(view.x) + margin, static_cast<float>(view.y + 0.5 * view.height)};
+  beginCorner(context, "overlay.placing", at, {0.0F, 0.5F}, OverlayStack::Mouse::Taken);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
   thingRow(context, placing);
   toolRow(context, placing);

@@ -149,10 +149,11 @@ void Viewer::frame() {
   stats_.fields = &fields_;
   panels_.build(snapshot, stats_, output);
   controller_.setView(panels_.view(), display_.scale);
+  const session::Snapshot& shown = controller_.placing().shown(snapshot);  // with the gizmo that the panels have drawn
   handleInput(snapshot, output);
   followCamera(snapshot);
   watchChanges(snapshot, output);
-  draw(snapshot);
+  draw(shown);
   status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, firstFrameSeconds_});
   execute(output, snapshot);
   takeChosenFiles(snapshot);
@@ -165,7 +166,7 @@ void Viewer::draw(const session::Snapshot& snapshot) {
     return std::max(1, static_cast<int>(std::lround(length * display_.density)));
   };
   const bool places = controller_.placing().isOn();  // then the picture shows the start, which has no field
-  renderer_.draw(controller_.placing().shown(snapshot), controller_.camera(), pixels(view.width), pixels(view.height),
+  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height),
                  {.field = places ? nullptr : stats_.field, .picked = panels_.picked().vertices()});
   blit(view);
   panels_.renderDrawData();
