@@ -38,7 +38,7 @@ struct PlacingEdit {
 
 /// Of what is in the box [window units].
 float boxWidth() {
-  return 20.0F * ImGui::GetFontSize();
+  return 18.0F * ImGui::GetFontSize();
 }
 
 void ask(PanelContext& context, PlacingRequest request) {
@@ -250,9 +250,8 @@ void placingBox(PanelContext& context, const UiRect& view) {
   const PlacingView& placing = *context.stats.placing;
   drawGizmo(context, placing, view);
   const float margin = 12.0F * context.scale;
-  // In the middle of the left side: messages are above it, the timeline and the legend below.
-  const ImVec2 at{static_cast<float>(view.x) + margin, static_cast<float>(view.y + 0.5 * view.height)};
-  beginCorner(context, "overlay.placing", at, {0.0F, 0.5F}, OverlayStack::Mouse::Taken);
+  const ImVec2 at{static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin};
+  beginCorner(context, "overlay.placing", at, {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
   thingRow(context, placing);
   toolRow(context, placing);
