@@ -101,7 +101,7 @@ Edit typing(PanelContext& context, const SliderInput& input, const settings::Set
       edit.value = input.typed(typed.text);
       edit.changed = edit.value != value;
     } catch (const messages::UsageError& error) {
-      context.output.hint = error.what();
+      context.output.hint = text::Sentence::verbatim(error.what());
     }
   }
   typed = {};
@@ -143,16 +143,18 @@ std::string numberFormat(std::string_view digits, std::string_view unit) {
   return format;
 }
 
-SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings) {
+SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings,
+                     const text::Catalogue& texts) {
+  const std::string unit = info.unit == "-" ? std::string(info.unit) : texts(unitInWords(info.unit));
   SliderInput input{.key = std::string(info.key),
                     .range = {},
-                    .format = numberFormat("%.4g", info.unit),
+                    .format = numberFormat("%.4g", unit),
                     .nearest = [&](double value) { return allowedValue(info, settings, value); },
                     .typed = [&](const std::string& text) { return typedValue(info, settings, text); }};
   if (const auto* integer = std::get_if<settings::IntegerField>(&info.field)) {
     constexpr int many = 32;  // above this the slider is logarithmic
     input.range = {static_cast<double>(integer->min), static_cast<double>(integer->max), integer->max > many};
-    input.format = numberFormat("%.0f", info.unit);
+    input.format = numberFormat("%.0f", unit);
   } else {
     input.range =
         commonRange(std::get<settings::NumberField>(info.field), std::get<double>(settings::defaultValue(info)));

@@ -2,6 +2,7 @@
 
 #include "app/session_log.hpp"
 #include "app/viewer/process_age.hpp"
+#include "messages/sim_error_text.hpp"
 #include "settings/settings_table.hpp"
 
 #include <GL/glew.h>
@@ -98,9 +99,9 @@ Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabr
   if (!options.recordFile.empty()) {
     record_.emplace(options.recordFile, "the session log");
   }
-  restorePreferences();
+  restorePreferences(options);
   if (!fabrics_.problem().empty()) {
-    showError(fabrics_.problem());
+    showError(text::Sentence::verbatim(fabrics_.problem()));
   }
 }
 
@@ -198,7 +199,7 @@ void Viewer::updateStats(Clock::time_point now) {
   stats_.frameSeconds += frameSmoothing * (seconds - stats_.frameSeconds);
   stats_.loading = loader_.activity();
   if (now > noticeEnds_) {
-    stats_.notice.clear();
+    stats_.notice = {};
   }
 }
 
@@ -248,8 +249,8 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     }
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
-    const std::string left = std::exchange(notOpened_, {});
-    showNotice("Opened " + outcome->scene->description.name + (left.empty() ? "" : ". " + left));
+    text::Sentence notice("Opened {}", outcome->scene->description.name);
+    showNotice(notice.append(". ", std::exchange(notOpened_, {})));
   }
 }
 
@@ -272,9 +273,9 @@ void Viewer::followScene(const session::Snapshot& snapshot) {
     resizedScene_.reset();
   }
   if (!shownScene_->summary.warnings.empty()) {
-    showNotice(shownScene_->summary.warnings.front());
+    showNotice(text::Sentence::verbatim(shownScene_->summary.warnings.front()));
   } else if (!shownScene_->description.notes.empty()) {
-    showNotice(shownScene_->description.notes.front());
+    showNotice(text::Sentence::verbatim(shownScene_->description.notes.front()));
   }
 }
 
@@ -327,14 +328,18 @@ void Viewer::execute(ui::UiOutput& output, const session::Snapshot& snapshot) {
   }
 }
 
-void Viewer::showNotice(const std::string& notice) {
+void Viewer::showNotice(const ui::Wording& notice) {
   stats_.notice = notice;
   noticeEnds_ = Clock::now() + noticeTime;
 }
 
-void Viewer::showError(const std::string& error) {
+void Viewer::showError(const ui::Wording& error) {
   stats_.error = error;
   ++stats_.failures;
+}
+
+void Viewer::showFailure(const std::exception& error) {
+  showError(messages::sentenceOf(error));
 }
 
 }  // namespace drape::app
