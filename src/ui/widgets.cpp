@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace drape::ui {
 namespace {
@@ -236,12 +237,33 @@ float widthOfButton(const PanelContext& context, const Wording& word, float widt
   return std::max(width, std::ceil(sizeOf(context.texts(word)).x) + 2.0F * ImGui::GetStyle().FramePadding.x);
 }
 
+namespace {
+
+/// Equal widths where all titles fit, else widths in proportion to the titles.
+std::vector<float> segmentWidths(const PanelContext& context, std::span<const Segment> choices, float all) {
+  std::vector<float> widths;
+  float sum = 0.0F;
+  for (const Segment& choice : choices) {
+    const Wording title = choice.isName ? Wording(text::Sentence::verbatim(choice.title)) : Wording(choice.title);
+    sum += widths.emplace_back(widthOfButton(context, title, 0.0F));
+  }
+  const float equal = all / static_cast<float>(choices.size());
+  const bool allFit = std::ranges::all_of(widths, [&](float width) { return width <= equal; });
+  for (float& width : widths) {
+    width = allFit ? equal : all * width / sum;
+  }
+  return widths;
+}
+
+}  // namespace
+
 std::size_t segments(PanelContext& context, const std::string& name, std::span<const Segment> choices,
                      std::size_t chosen) {
   std::size_t result = chosen;
   const float gap = std::round(2.0F * context.scale);
   const auto count = static_cast<float>(choices.size());
-  const float width = (ImGui::CalcItemWidth() - gap * (count - 1.0F)) / count;
+  const float all = ImGui::CalcItemWidth() - gap * (count - 1.0F);
+  const std::vector<float> widths = segmentWidths(context, choices, all);
   ImGui::PushID(name.c_str());
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) {
@@ -253,7 +275,7 @@ std::size_t segments(PanelContext& context, const std::string& name, std::span<c
             labelOf(context, choices[i].isName ? Wording(text::Sentence::verbatim(choices[i].title)) : choices[i].title,
                     choices[i].word)
                 .c_str(),
-            {width, ImGui::GetFrameHeight()})) {
+            {widths[i], ImGui::GetFrameHeight()})) {
       result = i;
     }
     ImGui::PopStyleColor(2);
