@@ -10,7 +10,7 @@ nlohmann::ordered_json toJson(const std::optional<sim::adaptive::StepChoice>& ch
   if (!choice) {
     return nullptr;
   }
-  nlohmann::ordered_json json{{"words", messages::inWords(*choice)}};
+  nlohmann::ordered_json json{{"words", messages::inWords(*choice).english()}};
   for (const auto& [name, value] : sim::adaptive::figuresOf(*choice)) {
     json[std::string(name)] = value;
   }

@@ -41,6 +41,16 @@ constexpr CommandRow<Command, Fields...> row(std::string_view name, Fields... fi
   return {name, {fields...}};
 }
 
+/// A number of the surface that a command gives a body.
+struct SurfaceField {
+  double sim::contact::SurfaceProperties::*value;
+
+  template <typename Command>
+  constexpr auto& operator()(Command& command) const {
+    return command.surface.*value;
+  }
+};
+
 // Both directions use this table. A command without a row does not compile.
 constexpr std::tuple table{
     row<session::SetSettingCommand>("set", Field{"key", &session::SetSettingCommand::key},
@@ -69,14 +79,9 @@ constexpr std::tuple table{
                                     Field{"on", &session::SwitchBodyCommand::on}),
     row<session::SetSurfaceCommand>(
         "set_surface", Field{"body", &session::SetSurfaceCommand::body},
-        Field{"static_friction", [](auto& command) -> auto& { return command.surface.staticFriction; }
-}  // namespace
-, Field{"kinetic_friction", [](auto& command) -> auto& {return command.surface.kineticFriction;
-}  // namespace drape::app
-}
-, Field{"thickness", [](auto& command) -> auto& {return command.surface.thickness;
-}
-}),
+        Field{"static_friction", SurfaceField{&sim::contact::SurfaceProperties::staticFriction}},
+        Field{"kinetic_friction", SurfaceField{&sim::contact::SurfaceProperties::kineticFriction}},
+        Field{"thickness", SurfaceField{&sim::contact::SurfaceProperties::thickness}}),
     row<session::MoveBodyCommand>("move_body", Field{"body", &session::MoveBodyCommand::body},
                                   Field{"shift", &session::MoveBodyCommand::shift}),
     row<session::SetFigureCommand>("set_figure", Field{"body", &session::SetFigureCommand::body},
@@ -86,8 +91,7 @@ constexpr std::tuple table{
     row<session::ObserveCommand>("observe", Field{"on", &session::ObserveCommand::on}),
     row<session::SetCostBudgetCommand>("set_cost_budget",
                                        Field{"cost_budget", &session::SetCostBudgetCommand::costBudget}),
-}
-;
+};
 
 /// The row of a type of command.
 template <typename Command, std::size_t Index = 0>

@@ -62,10 +62,10 @@ void printNotes(const scene::Scene& scene) {
     }
     std::cerr << "note: " << scene::inWords(*scene.reading) << " To change it: " << options << '\n';
   }
-  if (const std::string note = scene::warpNote(scene.cloths, scene.settings); !note.empty()) {
+  if (const text::Sentence note = scene::warpNote(scene.cloths, scene.settings); !note.empty()) {
     std::cerr << "note: " << note << '\n';
   }
-  if (const std::string note = scene::restShapeNote(*scene.model, scene.cloths.front().uvs, scene.settings);
+  if (const text::Sentence note = scene::restShapeNote(*scene.model, scene.cloths.front().uvs, scene.settings);
       !note.empty()) {
     std::cerr << "warning: " << note << '\n';
   }

@@ -19,8 +19,8 @@ std::filesystem::path sceneFile(const std::filesystem::path& path) {
   return file;
 }
 
-std::vector<std::string> saveScene(const scene::Scene& scene, const scene::SceneNow& now,
-                                   const std::filesystem::path& file, Existing existing) {
+std::vector<text::Sentence> saveScene(const scene::Scene& scene, const scene::SceneNow& now,
+                                      const std::filesystem::path& file, Existing existing) {
   std::error_code error;
   if (existing == Existing::Refused && std::filesystem::exists(file, error)) {
     throw messages::InputError(file.string() + " exists already; give another name");

@@ -18,7 +18,7 @@ enum class Existing { Refused, Replaced };
 /// Writes a scene file: beside the old one, which it then replaces, so that nothing is lost when this fails. Throws
 /// InputError when the file exists and may not be replaced, or cannot be written.
 /// @param file as sceneFile() returns it  @return what the file cannot contain, one sentence each
-std::vector<std::string> saveScene(const scene::Scene& scene, const scene::SceneNow& now,
-                                   const std::filesystem::path& file, Existing existing);
+std::vector<text::Sentence> saveScene(const scene::Scene& scene, const scene::SceneNow& now,
+                                      const std::filesystem::path& file, Existing existing);
 
 }  // namespace drape::app

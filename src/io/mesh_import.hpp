@@ -5,6 +5,7 @@
 #include "messages/error.hpp"
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/vector.hpp"
+#include "text/sentence.hpp"
 
 #include <array>
 #include <filesystem>
@@ -133,7 +134,14 @@ class OutlierError : public messages::InputError {
 /// OutlierError.
 [[nodiscard]] ImportedMesh weldMesh(const RawMesh& raw, std::string_view name, const ImportOptions& options);
 
-/// One line per fact, for a terminal or a panel. It leaves out the warnings.
+/// A fact about a mesh.
+struct MeshFact {
+  std::string_view title;  ///< "vertices"
+  text::Sentence value;
+};
+
+/// The facts, without the warnings; and one line per fact, for a terminal.
+[[nodiscard]] std::vector<MeshFact> factsOf(const MeshSummary& summary);
 [[nodiscard]] std::vector<std::string> describe(const MeshSummary& summary);
 
 }  // namespace drape::io

@@ -84,17 +84,25 @@ void summarise(const sim::ClothMesh& cloth, MeshUse use, MeshSummary& summary) {
   warnAboutTopology(use, summary);
 }
 
+std::vector<MeshFact> factsOf(const MeshSummary& summary) {
+  using text::Sentence;
+  const Sentence borders(text::plural(summary.boundaryLoops, "{} open border", "{} open borders"),
+                         summary.boundaryLoops);
+  return {
+      {"mesh", Sentence::verbatim(summary.source)},
+      {"vertices", Sentence("{} ({} in the file, split at texture seams)", summary.vertices, summary.verticesInFile)},
+      {"triangles", Sentence::verbatim(std::to_string(summary.triangles))},
+      {"springs", Sentence::verbatim(std::to_string(summary.springs))},
+      {"pieces", Sentence("{}, with {}", summary.components, borders)},
+      {"size", Sentence("{} m (width x height x depth)",
+                        fmt::format("{:.3g} x {:.3g} x {:.3g}", summary.size[0], summary.size[1], summary.size[2]))}};
+}
+
 std::vector<std::string> describe(const MeshSummary& summary) {
   std::vector<std::string> lines;
-  lines.push_back("mesh:        " + summary.source);
-  lines.push_back(fmt::format("vertices:    {} ({} in the file, split at texture seams)", summary.vertices,
-                              summary.verticesInFile));
-  lines.push_back(fmt::format("triangles:   {}", summary.triangles));
-  lines.push_back(fmt::format("springs:     {}", summary.springs));
-  lines.push_back("pieces:      " + std::to_string(summary.components) + ", with " +
-                  counted(summary.boundaryLoops, "open border", "open borders"));
-  lines.push_back(fmt::format("size:        {:.3g} x {:.3g} x {:.3g} m (width x height x depth)", summary.size[0],
-                              summary.size[1], summary.size[2]));
+  for (const MeshFact& fact : factsOf(summary)) {
+    lines.push_back(fmt::format("{:<13}{}", std::string(fact.title) + ':', fact.value.english()));
+  }
   return lines;
 }
 

@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "sim/model/sim_error.hpp"
+#include "text/sentence.hpp"
 
 #include <exception>
 #include <string>
@@ -10,13 +11,15 @@
 namespace drape::messages {
 
 /// The fault as a sentence for the user.
-[[nodiscard]] std::string inWords(const sim::ClothModelError& error);
+[[nodiscard]] text::Sentence inWords(const sim::ClothModelError& error);
 
 /// The refusal of a solver that cannot move a fabric, with the names of those that can.
 /// @param setting the key of the setting that names it
-[[nodiscard]] std::string takesSpringsOnly(std::string_view setting, std::string_view solver);
+[[nodiscard]] text::Sentence takesSpringsOnly(std::string_view setting, std::string_view solver);
 
-/// The message of an exception for the user: the sentence of a SimError, what() of any other.
+/// The message of an exception for the user: the sentence of a SimError, what() of any other,
+/// which is translated where a catalogue has it. messageOf is in English.
+[[nodiscard]] text::Sentence sentenceOf(const std::exception& error);
 [[nodiscard]] std::string messageOf(const std::exception& error);
 
 /// Calls `call` and returns its result. A SimError becomes an InputError with its sentence.

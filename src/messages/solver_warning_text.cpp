@@ -7,16 +7,20 @@
 namespace drape::messages {
 namespace {
 
+using text::plural;
+using text::Sentence;
+
 /// "12 substeps", or nothing where the settings do not allow as many.
-std::string substepsUpToTheMaximum(double substeps) {
+Sentence substepsUpToTheMaximum(double substeps) {
   constexpr double maxSubsteps = 1000.0;  // the largest number in the settings (settings_table.cpp)
-  return substeps <= maxSubsteps ? fmt::format("{:g} substeps", substeps) : std::string();
+  return substeps <= maxSubsteps ? Sentence("{} substeps", fmt::format("{:g}", substeps)) : Sentence();
 }
 
-/// "Use 12 substeps or more sweeps."
-std::string remedy(double substeps, const std::string& otherwise) {
-  const std::string words = substepsUpToTheMaximum(substeps);
-  return "Use " + (words.empty() ? words : words + " or ") + otherwise + '.';
+/// The problem, then "Use 12 substeps or more sweeps."
+Sentence withRemedy(Sentence problem, double substeps, const Sentence& otherwise) {
+  const Sentence count = substepsUpToTheMaximum(substeps);
+  return problem.append(" ",
+                        count.empty() ? Sentence("Use {}.", otherwise) : Sentence("Use {} or {}.", count, otherwise));
 }
 
 /// Two significant digits.
@@ -24,57 +28,69 @@ std::string inTwoDigits(double value) {
   return fmt::format("{:.2g}", value);
 }
 
-std::string stepTooLong(const sim::SolverWarning& warning) {
-  const std::string substeps = substepsUpToTheMaximum(warning.substeps);
-  return "The time step is above this mesh's stability limit of " + stepInWords(warning.seconds) +
-         ": the cloth can blow up. Use " +
-         (substeps.empty() ? "softer or heavier cloth or an implicit solver" : substeps) + '.';
+Sentence stepTooLong(const sim::SolverWarning& warning) {
+  const Sentence substeps = substepsUpToTheMaximum(warning.substeps);
+  Sentence words("The time step is above this mesh's stability limit of {}: the cloth can blow up.",
+                 stepInWords(warning.seconds));
+  return words.append(
+      " ",
+      Sentence("Use {}.", substeps.empty() ? Sentence("softer or heavier cloth or an implicit solver") : substeps));
 }
 
-std::string tooFewIterations(const sim::SolverWarning& warning) {
+Sentence tooFewIterations(const sim::SolverWarning& warning) {
   const bool reachable = !substepsUpToTheMaximum(warning.substeps).empty();
-  return std::to_string(warning.iterations) + (warning.iterations == 1 ? " iteration is" : " iterations are") +
-         " too few for this stiffness and time step: the cloth is softer than specified, and it can gain energy. " +
-         remedy(warning.substeps,
-                reachable ? "more iterations" : "more iterations, or a solver that solves for all springs at once");
+  return withRemedy(
+      Sentence(plural(warning.iterations,
+                      "{} iteration is too few for this stiffness and time step: the cloth is softer than specified, "
+                      "and it can gain energy.",
+                      "{} iterations are too few for this stiffness and time step: the cloth is softer than specified, "
+                      "and it can gain energy."),
+               warning.iterations),
+      warning.substeps,
+      reachable ? Sentence("more iterations")
+                : Sentence("more iterations, or a solver that solves for all springs at once"));
 }
 
-std::string tooFewSweeps(const sim::SolverWarning& warning) {
-  return (warning.iterations == 1 ? "One sweep is" : std::to_string(warning.iterations) + " sweeps are") +
-         " too few at this stiffness and time step: the cloth is slack and loses momentum. " +
-         remedy(warning.substeps, "more sweeps");
+Sentence tooFewSweeps(const sim::SolverWarning& warning) {
+  return withRemedy(
+      Sentence(plural(warning.iterations,
+                      "One sweep is too few at this stiffness and time step: the cloth is slack and loses momentum.",
+                      "{} sweeps are too few at this stiffness and time step: the cloth is slack and loses momentum."),
+               warning.iterations),
+      warning.substeps, Sentence("more sweeps"));
 }
 
-std::string wrongSpectralRadius(const sim::SolverWarning& warning) {
-  return fmt::format(
-      "With {} iterations a spectral radius of {:g} overshoots: the cloth can blow up. Use {} iterations or a smaller "
+Sentence wrongSpectralRadius(const sim::SolverWarning& warning) {
+  return Sentence(
+      "With {} iterations a spectral radius of {} overshoots: the cloth can blow up. Use {} iterations or a smaller "
       "spectral radius.",
-      warning.iterations, warning.spectralRadius, warning.neededIterations);
+      warning.iterations, fmt::format("{:g}", warning.spectralRadius), warning.neededIterations);
 }
 
-std::string softened(const sim::SolverWarning& warning) {
-  return fmt::format(
+Sentence softened(const sim::SolverWarning& warning) {
+  return Sentence(
       "{}: the springs keep {} % of their stiffness, and coarse levels carry the tension. The full stiffness needs "
-      "auto.cost = {:.0f}.",
-      warning.softenedByChoice ? "The cost budget is too small for this stiff and fine cloth"
-                               : "At full stiffness a step of this cloth would take several seconds",
-      inTwoDigits(100.0 * warning.stiffnessScale), warning.neededCost);
+      "auto.cost = {}.",
+      warning.softenedByChoice ? Sentence("The cost budget is too small for this stiff and fine cloth")
+                               : Sentence("At full stiffness a step of this cloth would take several seconds"),
+      inTwoDigits(100.0 * warning.stiffnessScale), fmt::format("{:.0f}", warning.neededCost));
 }
 
-std::string indefiniteMatrix(const sim::SolverWarning& warning) {
-  return "With this force derivative stiff cloth can blow up at this time step. " +
-         remedy(warning.substeps, "the stabilised derivative");
+Sentence indefiniteMatrix(const sim::SolverWarning& warning) {
+  return withRemedy(Sentence("With this force derivative stiff cloth can blow up at this time step."), warning.substeps,
+                    Sentence("the stabilised derivative"));
 }
 
-std::string flatClothGains(const sim::SolverWarning& warning) {
-  return "The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up. " +
-         remedy(warning.substeps, "a solver that solves for all springs at once");
+Sentence flatClothGains(const sim::SolverWarning& warning) {
+  return withRemedy(
+      Sentence("The time step is too long for this fine and stiff mesh: flat cloth gains energy and can blow up."),
+      warning.substeps, Sentence("a solver that solves for all springs at once"));
 }
 
-std::string stiffFolds(const sim::SolverWarning& warning) {
-  return "At this stiffness and time step folding meets as much resistance as stretching: the cloth moves far too "
-         "slowly. " +
-         remedy(warning.substeps, "softer cloth");
+Sentence stiffFolds(const sim::SolverWarning& warning) {
+  return withRemedy(Sentence("At this stiffness and time step folding meets as much resistance as stretching: the "
+                             "cloth moves far too slowly."),
+                    warning.substeps, Sentence("softer cloth"));
 }
 
 }  // namespace
@@ -88,15 +104,16 @@ std::string stepInWords(double seconds) {
   return fmt::format("1/{:.0f} s", std::ceil(denominator / unit * (1.0 - 1e-12)) * unit);
 }
 
-std::string inWords(const sim::SolverWarning& warning) {
+text::Sentence inWords(const sim::SolverWarning& warning) {
   using Kind = sim::SolverWarning::Kind;
   switch (warning.kind) {
     case Kind::StepTooLong:
       return stepTooLong(warning);
     case Kind::GainsEnergy:
-      return "Explicit Euler gains energy at any time step. At this one the energy of the fastest motion doubles "
-             "every " +
-             inTwoDigits(warning.seconds) + " s. Use much shorter steps, add damping or choose another solver.";
+      return Sentence(
+          "Explicit Euler gains energy at any time step. At this one the energy of the fastest motion doubles every {} "
+          "s. Use much shorter steps, add damping or choose another solver.",
+          inTwoDigits(warning.seconds));
     case Kind::IndefiniteMatrix:
       return indefiniteMatrix(warning);
     case Kind::FlatClothGains:
@@ -108,24 +125,30 @@ std::string inWords(const sim::SolverWarning& warning) {
     case Kind::StiffFolds:
       return stiffFolds(warning);
     case Kind::AcceleratedTooLittle:
-      return "Too few iterations for this stiffness and time step: the cloth is slack. Use more iterations, a larger "
-             "spectral radius or substeps.";
+      return Sentence(
+          "Too few iterations for this stiffness and time step: the cloth is slack. Use more iterations, a larger "
+          "spectral radius or substeps.");
     case Kind::Overshoots:
-      return "The iterations overshoot at this stiffness and time step: the cloth may oscillate. Use more iterations "
-             "or a smaller spectral radius.";
+      return Sentence(
+          "The iterations overshoot at this stiffness and time step: the cloth may oscillate. Use more iterations or a "
+          "smaller spectral radius.");
     case Kind::SpectralRadius:
       return wrongSpectralRadius(warning);
     case Kind::InexactInFloat:
-      return "Substeps below " + stepInWords(warning.seconds) +
-             " are too short for XPBD in float: velocities become inexact. Use double precision.";
+      return Sentence(
+          "Substeps below {} are too short for XPBD in float: velocities become inexact. Use double precision.",
+          stepInWords(warning.seconds));
     case Kind::TooSlow:
-      return "Newton's method factorises a large matrix several times in each step: on so fine a mesh it is too slow "
-             "for interactive use.";
+      return Sentence(
+          "Newton's method factorises a large matrix several times in each step: on so fine a mesh it is too slow for "
+          "interactive use.");
     case Kind::Softened:
       return softened(warning);
     case Kind::SlowMotion:
-      return "This stiff and fine cloth costs up to " + inTwoDigits(warning.costRatio) +
-             " times the cost budget, so it moves in slow motion. Softer springs keep real time (auto.soften = on).";
+      return Sentence(
+          "This stiff and fine cloth costs up to {} times the cost budget, so it moves in slow motion. Softer springs "
+          "keep real time (auto.soften = on).",
+          inTwoDigits(warning.costRatio));
   }
   return {};
 }

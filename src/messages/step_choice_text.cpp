@@ -7,6 +7,9 @@
 namespace drape::messages {
 namespace {
 
+using text::plural;
+using text::Sentence;
+
 /// Two significant digits, without an exponent.
 std::string brief(double value) {
   const double size = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
@@ -21,91 +24,98 @@ std::string brief(double value) {
   return words;
 }
 
-std::string lengthInWords(double metres) {
+Sentence lengthInWords(double metres) {
   constexpr double shortest = 1e-9;
   if (metres < shortest) {
-    return "below 1 nm";
+    return Sentence("below 1 nm");
   }
   if (metres < 1e-6) {
-    return "about " + brief(metres * 1e9) + " nm";
+    return Sentence("about {} nm", brief(metres * 1e9));
   }
   if (metres < 1e-4) {
-    return "about " + brief(metres * 1e6) + " \u00B5m";
+    return Sentence("about {} \u00B5m", brief(metres * 1e6));
   }
-  return metres < 0.1 ? "about " + brief(metres * 1e3) + " mm" : "about " + brief(metres) + " m";
+  return metres < 0.1 ? Sentence("about {} mm", brief(metres * 1e3)) : Sentence("about {} m", brief(metres));
 }
 
-std::string hOmegaInWords(double hOmega) {
+Sentence clothInWords(double hOmega, const Sentence& scheme) {
   constexpr double soft = 8.0;
   constexpr double stiff = 80.0;
   if (hOmega < soft) {
-    return "soft cloth: ";
+    return Sentence("soft cloth: {}", scheme);
   }
-  return hOmega < stiff ? "stiff cloth: " : "very stiff cloth: ";
+  return hOmega < stiff ? Sentence("stiff cloth: {}", scheme) : Sentence("very stiff cloth: {}", scheme);
 }
 
-std::string schemeInWords(const sim::adaptive::StepChoice& choice) {
-  std::string words = std::to_string(choice.substeps);
-  words += choice.usedFallback ? " substep" : " explicit substep";
-  words += choice.substeps == 1 ? "" : "s";
+Sentence schemeInWords(const sim::adaptive::StepChoice& choice) {
+  const int count = choice.substeps;
   if (choice.usedFallback) {
-    return words + " of the fallback solver";
+    return Sentence(plural(count, "{} substep of the fallback solver", "{} substeps of the fallback solver"), count);
   }
-  return choice.order == 4 ? words + " of fourth order" : words;
+  if (choice.order == 4) {
+    return Sentence(plural(count, "{} explicit substep of fourth order", "{} explicit substeps of fourth order"),
+                    count);
+  }
+  return Sentence(plural(count, "{} explicit substep", "{} explicit substeps"), count);
 }
 
 /// How much of its stiffness the cloth has, if that is not all.
-std::string stiffnessInWords(const sim::adaptive::StepChoice& choice) {
+Sentence stiffnessInWords(const sim::adaptive::StepChoice& choice) {
   constexpr double almostFull = 0.995;
-  std::string words;
+  Sentence words;
   if (choice.stiffnessScale < almostFull) {
-    words = " at " + brief(100.0 * choice.stiffnessScale) + " % of the ";
-    words += choice.strain < 0.0 ? "stiffness" : "stretch stiffness: " + brief(100.0 * choice.strain) + " % strain";
+    const std::string share = brief(100.0 * choice.stiffnessScale);
+    words = choice.strain < 0.0
+                ? Sentence("at {} % of the stiffness", share)
+                : Sentence("at {} % of the stretch stiffness: {} % strain", share, brief(100.0 * choice.strain));
   }
-  if (choice.softenedTriangles > 0) {
-    words += words.empty() ? " with " : ", ";
-    words += std::to_string(choice.softenedTriangles);
-    words += choice.softenedTriangles == 1 ? " small triangle softened" : " small triangles softened";
+  if (const int count = choice.softenedTriangles; count > 0) {
+    words =
+        words.empty()
+            ? Sentence(plural(count, "with {} small triangle softened", "with {} small triangles softened"), count)
+            : words.append(", ",
+                           Sentence(plural(count, "{} small triangle softened", "{} small triangles softened"), count));
   }
   return words;
 }
 
 /// How fast the cloth runs with its full stiffness, if that is slower than real time.
-std::string fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
+Sentence fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
   constexpr double almostRealTime = 0.95;
   const double load = available > 0.0 ? seconds / available : choice.costRatio;
   const double speed = 1.0 / (load * choice.fullStiffnessCost);
   return choice.fullStiffnessCost > 1.0 && load > 0.0 && speed < almostRealTime
-             ? "; full stiffness runs at " + brief(speed) + "x"
-             : std::string();
+             ? Sentence("full stiffness runs at {}x", brief(speed))
+             : Sentence();
 }
 
 }  // namespace
 
-std::string inWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
+text::Sentence inWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
   if (choice.sleeping) {
-    return "at rest: nothing is computed until something changes";
+    return Sentence("at rest: nothing is computed until something changes");
   }
-  std::string words = hOmegaInWords(choice.hOmega) + schemeInWords(choice);
-  if (const std::string stiffness = stiffnessInWords(choice); !stiffness.empty()) {
-    words += stiffness + fullStiffnessInWords(choice, seconds, available);
+  Sentence words = clothInWords(choice.hOmega, schemeInWords(choice));
+  if (const Sentence stiffness = stiffnessInWords(choice); !stiffness.empty()) {
+    words.append(" ", stiffness).append("; ", fullStiffnessInWords(choice, seconds, available));
   }
   if (choice.coarseLevels > 0) {
-    words += choice.coarseLevels == 1 ? " with 1 coarse level"
-                                      : " with " + std::to_string(choice.coarseLevels) + " coarse levels";
+    words.append(" ", Sentence(plural(choice.coarseLevels, "with {} coarse level", "with {} coarse levels"),
+                               choice.coarseLevels));
   }
   if (choice.costRatio > sim::adaptive::toleratedCostRatio) {
-    words += ", " + brief(choice.costRatio) + " times the cost budget";
-    words += seconds >= available ? ": slow motion" : "";
+    words.append(", ",
+                 Sentence(seconds >= available ? "{} times the cost budget: slow motion" : "{} times the cost budget",
+                          brief(choice.costRatio)));
   }
   if (available > 0.0) {
-    words += ", " + brief(seconds * 1e3) + " ms of " + brief(available * 1e3) + " ms";
+    words.append(", ", Sentence("{} ms of {} ms", brief(seconds * 1e3), brief(available * 1e3)));
   }
   if (choice.error >= 0.0) {
-    words += ", error " + lengthInWords(choice.error);
+    words.append(", ", Sentence("error {}", lengthInWords(choice.error)));
   }
   if (choice.retries > 0) {
-    words += choice.retries == 1 ? ", 1 retry" : ", " + std::to_string(choice.retries) + " retries";
+    words.append(", ", Sentence(plural(choice.retries, "{} retry", "{} retries"), choice.retries));
   }
   return words;
 }

@@ -9,8 +9,8 @@
 namespace drape::render {
 
 /// How much of the room's light surfaces take from each other, as far as the picture shows them: a map of half the
-/// picture's width and height, computed from the depth and the normals of the nearest surfaces (McGuire, Mara and Luebke 2012, "Scalable
-/// ambient obscurance").
+/// picture's width and height, computed from the depth and the normals of the nearest surfaces (McGuire, Mara and
+/// Luebke 2012, "Scalable ambient obscurance").
 class AmbientOcclusion {
  public:
   AmbientOcclusion();

@@ -16,7 +16,7 @@ struct FrameUniforms {
   Eigen::Vector4f ground;           ///< centre [m] and the radius at which it has faded out [m]
   Eigen::Vector4f groundShadow;     ///< centre x and z, half the side [m], 0
   Eigen::Vector4f shadowScale;      ///< a texel's side and the depth range [m], one over the number of texels, 0
-  Eigen::Vector4f occlusion;        ///< radius [m]; 1 with it, 0 without; half the picture's extents [m], at a depth of 1 m
+  Eigen::Vector4f occlusion;  ///< radius [m]; 1 with it, 0 without; half the picture's extents [m], at a depth of 1 m
 };
 
 /// The uniform block on the graphics card.

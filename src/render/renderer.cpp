@@ -28,10 +28,10 @@
 namespace drape::render {
 namespace {
 
-constexpr double fadeInSizes = 5.0;   // distance at which the ground has faded out, in sizes of the scene [-]
-constexpr double smallestFade = 1.5;  // its minimum [m]
+constexpr double fadeInSizes = 5.0;       // distance at which the ground has faded out, in sizes of the scene [-]
+constexpr double smallestFade = 1.5;      // its minimum [m]
 constexpr double occlusionRadius = 0.13;  // up to which surfaces take light from each other, in sizes of the scene [-]
-constexpr double creaseAngle = 0.7;   // sharper edges of a stand get separate normals [rad]
+constexpr double creaseAngle = 0.7;       // sharper edges of a stand get separate normals [rad]
 constexpr float ghostOpacity = 0.6F;
 constexpr float unitHeight = 800.0F;   // picture height at which a unit of a mark is one pixel [pixels]
 constexpr float smallestMark = 0.75F;  // smaller dots are invisible [pixels]

@@ -42,7 +42,7 @@ std::vector<Vec3> warpOf(const ClothPart& cloth, const sim::ClothModel& model, c
 
 void requireWarp(const PatternUvs& uvs, const settings::Settings& settings) {
   if (warpsAlongUvs(uvs, settings) && !uvs.usable()) {
-    throw messages::InputError("fabric.warp_from = uv cannot be used: " + problemOf(uvs) +
+    throw messages::InputError("fabric.warp_from = uv cannot be used: " + problemOf(uvs).english() +
                                ". Correct the UVs in the file, or use fabric.warp_from = vertical");
   }
 }
@@ -93,10 +93,10 @@ sim::fabric::TriangleMaterials materialsOf(const sim::ClothModel& model, std::sp
 
 /// The text for each cloth, after its name if there are several.
 template <typename TextOf>
-std::string ofEachCloth(std::span<const ClothPart> cloths, const TextOf& textOf) {
-  std::string all;
+text::Sentence ofEachCloth(std::span<const ClothPart> cloths, const TextOf& textOf) {
+  text::Sentence all;
   for (const ClothPart& cloth : cloths) {
-    all += (all.empty() ? "" : "; ") + (cloth.name.empty() ? "" : cloth.name + ": ") + textOf(cloth);
+    all.append("; ", text::Sentence::verbatim(cloth.name).append(": ", textOf(cloth)));
   }
   return all;
 }
@@ -112,33 +112,33 @@ bool warpsAlongUvs(const PatternUvs& uvs, const settings::Settings& settings) {
   return settings.fabric.warpFrom == "uv" || (settings.fabric.warpFrom == "auto" && isPattern);
 }
 
-std::string warpInWords(const PatternUvs& uvs, const settings::Settings& settings) {
-  const std::string from = warpsAlongUvs(uvs, settings) ? "along V of the UVs" : "vertical";
+text::Sentence warpInWords(const PatternUvs& uvs, const settings::Settings& settings) {
+  text::Sentence words(warpsAlongUvs(uvs, settings) ? "along V of the UVs" : "vertical");
   const double angle = settings.fabric.warpAngle;
-  return angle == 0.0 ? from : from + ", turned by " + text::exactNumber(angle) + " degrees";
+  return angle == 0.0 ? words : words.append(", ", text::Sentence("turned by {} degrees", text::exactNumber(angle)));
 }
 
-std::string warpNote(const PatternUvs& uvs, const settings::Settings& settings) {
+text::Sentence warpNote(const PatternUvs& uvs, const settings::Settings& settings) {
   if (!settings::usesFabric(settings) || settings.fabric.warpFrom != "auto" || !uvs.present() || uvs.usable()) {
     return {};
   }
-  return "warp is vertical, because " + problemOf(uvs);
+  return text::Sentence("warp is vertical, because {}", problemOf(uvs));
 }
 
-std::string fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+text::Sentence fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
   return ofEachCloth(cloths,
                      [&](const ClothPart& cloth) { return settings::fabricTitle(settingsOf(cloth.own, settings)); });
 }
 
-std::string warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+text::Sentence warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
   return ofEachCloth(cloths,
                      [&](const ClothPart& cloth) { return warpInWords(cloth.uvs, settingsOf(cloth.own, settings)); });
 }
 
-std::string warpNote(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+text::Sentence warpNote(std::span<const ClothPart> cloths, const settings::Settings& settings) {
   for (const ClothPart& cloth : cloths) {
-    if (std::string note = warpNote(cloth.uvs, settingsOf(cloth.own, settings)); !note.empty()) {
-      return cloth.name.empty() ? note : cloth.name + ": " + note;
+    if (const text::Sentence note = warpNote(cloth.uvs, settingsOf(cloth.own, settings)); !note.empty()) {
+      return text::Sentence::verbatim(cloth.name).append(": ", note);
     }
   }
   return {};

@@ -3,6 +3,7 @@
 #include "scene/cloth_part.hpp"
 #include "settings/settings.hpp"
 #include "sim/model/cloth_model.hpp"
+#include "text/sentence.hpp"
 
 #include <memory>
 #include <span>
@@ -16,20 +17,20 @@ namespace drape::scene {
 [[nodiscard]] bool warpsAlongUvs(const PatternUvs& uvs, const settings::Settings& settings);
 
 /// Where warp comes from, in words: "along V of the UVs, turned by 30 degrees".
-[[nodiscard]] std::string warpInWords(const PatternUvs& uvs, const settings::Settings& settings);
+[[nodiscard]] text::Sentence warpInWords(const PatternUvs& uvs, const settings::Settings& settings);
 
 /// Why fabric.warp_from = auto does not take the texture coordinates that a mesh has, in one sentence. Empty if it
 /// does, if there are none, or if they are sound but no pattern.
-[[nodiscard]] std::string warpNote(const PatternUvs& uvs, const settings::Settings& settings);
+[[nodiscard]] text::Sentence warpNote(const PatternUvs& uvs, const settings::Settings& settings);
 
 /// The fabric of each cloth: "Denim", or "shirt: Jersey; jacket: Denim". @param settings of the scene
-[[nodiscard]] std::string fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
+[[nodiscard]] text::Sentence fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
 
 /// warpInWords of each cloth, in the same form.
-[[nodiscard]] std::string warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
+[[nodiscard]] text::Sentence warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
 
 /// warpNote of the first cloth that has one.
-[[nodiscard]] std::string warpNote(std::span<const ClothPart> cloths, const settings::Settings& settings);
+[[nodiscard]] text::Sentence warpNote(std::span<const ClothPart> cloths, const settings::Settings& settings);
 
 /// The direction of warp in each triangle of the model, a unit vector in its plane, without fabric.warp_angle. Zero for
 /// a degenerate triangle. Vertical, projected onto each triangle, where the texture coordinates cannot give it.

@@ -9,13 +9,13 @@
 namespace drape::scene {
 namespace {
 
-constexpr double longestTime = 1e6;  // [s]
-constexpr double manyTurns = 1e6;    // [degrees]
+constexpr double maxTime = 1e6;    // [s]
+constexpr double manyTurns = 1e6;  // [degrees]
 
 sim::contact::Keyframe readKeyframe(const TomlReader& table, const sim::contact::Keyframe& usual) {
   table.allowOnly({"time", "position", "rotation"});
   sim::contact::Keyframe key = usual;
-  const auto time = table.number("time", -longestTime, longestTime);
+  const auto time = table.number("time", -maxTime, maxTime);
   if (!time) {
     table.fail("a keyframe needs a time");
   }

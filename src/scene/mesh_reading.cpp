@@ -122,12 +122,12 @@ Vec3 rotationToY(std::string_view up) {
   return {up == "z" ? -quarter : up == "-z" ? quarter : up == "-y" ? 2.0 * quarter : 0.0, 0.0, 0.0};
 }
 
-std::string inWords(const MeshReading& reading) {
+text::Sentence inWords(const MeshReading& reading) {
   // For a sheet that lies flat, the larger side is more informative than its height.
   const bool flat = reading.size[1] < 0.05 * largestOf(reading.size);
-  const std::string size =
-      flat ? lengthText(reading.size[0]) + " x " + lengthText(reading.size[2]) : lengthText(reading.size[1]) + " tall";
-  return "Read as " + unitInWords(reading.unit) + ", " + reading.up + " up: " + size + ".";
+  const text::Sentence size = flat ? text::Sentence("{} x {}", lengthText(reading.size[0]), lengthText(reading.size[2]))
+                                   : text::Sentence("{} tall", lengthText(reading.size[1]));
+  return text::Sentence("Read as {}, {} up: {}.", unitInWords(reading.unit), reading.up, size);
 }
 
 }  // namespace drape::scene

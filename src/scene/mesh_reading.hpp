@@ -2,6 +2,7 @@
 
 #include "io/mesh_import.hpp"
 #include "settings/settings.hpp"
+#include "text/sentence.hpp"
 
 #include <array>
 #include <string>
@@ -42,6 +43,6 @@ struct MeshReading {
 [[nodiscard]] Vec3 rotationToY(std::string_view up);
 
 /// "Read as centimetres, z up: 0.77 m tall."
-[[nodiscard]] std::string inWords(const MeshReading& reading);
+[[nodiscard]] text::Sentence inWords(const MeshReading& reading);
 
 }  // namespace drape::scene

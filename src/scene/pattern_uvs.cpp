@@ -53,16 +53,17 @@ std::vector<int> mirroredTriangles(const io::RenderMesh& mesh, const PatternUvs&
 }
 
 /// "12 triangles (the first are 3, 4, 5)".
-std::string countAndFirst(const std::vector<int>& triangles) {
+text::Sentence countAndFirst(const std::vector<int>& triangles) {
   constexpr std::size_t shown = 3;
   if (triangles.size() == 1) {
-    return fmt::format("1 triangle (number {})", triangles[0]);
+    return text::Sentence("1 triangle (number {})", triangles[0]);
   }
   std::string first;
   for (std::size_t i = 0; i < std::min(shown, triangles.size()); ++i) {
     first += (i == 0 ? "" : ", ") + std::to_string(triangles[i]);
   }
-  return fmt::format("{} triangles (numbers {}{})", triangles.size(), first, triangles.size() > shown ? ", ..." : "");
+  return text::Sentence("{} triangles (numbers {}{})", triangles.size(), first,
+                        triangles.size() > shown ? ", ..." : "");
 }
 
 }  // namespace
@@ -129,15 +130,16 @@ std::vector<Vec3> warpAlongV(const PatternUvs& uvs, std::span<const Vec3> rest, 
   return warp;
 }
 
-std::string problemOf(const PatternUvs& uvs) {
+text::Sentence problemOf(const PatternUvs& uvs) {
   if (!uvs.present()) {
-    return "the mesh has no texture coordinates (UVs)";
+    return text::Sentence("the mesh has no texture coordinates (UVs)");
   }
   if (!uvs.degenerate.empty()) {
-    return "the texture coordinates (UVs) give no area to " + countAndFirst(uvs.degenerate);
+    return text::Sentence("the texture coordinates (UVs) give no area to {}", countAndFirst(uvs.degenerate));
   }
   if (!uvs.mirrored.empty()) {
-    return "the texture coordinates (UVs) mirror " + countAndFirst(uvs.mirrored) + " against the rest of the piece";
+    return text::Sentence("the texture coordinates (UVs) mirror {} against the rest of the piece",
+                          countAndFirst(uvs.mirrored));
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include "io/mesh_import.hpp"
 #include "sim/model/vector.hpp"
+#include "text/sentence.hpp"
 
 #include <array>
 #include <span>
@@ -44,6 +45,6 @@ inline constexpr double maxPatternStretch = 1.5;
                                            std::span<const Triangle> triangles);
 
 /// Why the texture coordinates cannot give the warp: how many triangles, and the first of them. Empty if they can.
-[[nodiscard]] std::string problemOf(const PatternUvs& uvs);
+[[nodiscard]] text::Sentence problemOf(const PatternUvs& uvs);
 
 }  // namespace drape::scene

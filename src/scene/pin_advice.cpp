@@ -28,22 +28,22 @@ std::optional<Advice> adviceOnPins(const SceneDescription& description, const se
                                    std::size_t pinned, std::size_t vertices) {
   const bool byShape = settings.mesh.pins == "shape";
   const std::string cure = byShape ? "none" : "shape";
-  const std::string button = byShape ? "Pin nothing" : "Pin by shape";
+  const text::Sentence byShapeButton("Pin by shape");
+  const text::Sentence button = byShape ? text::Sentence("Pin nothing") : byShapeButton;
   if (pinned > 0 && pinned == vertices) {
-    return Advice{"All " + std::to_string(vertices) + " vertices are pinned, so nothing can move.", "pins", cure,
-                  button};
+    return Advice{text::Sentence("All {} vertices are pinned, so nothing can move.", vertices), "pins", cure, button};
   }
   if (pinned > 0) {
     return std::nullopt;
   }
   const PinSelection* naming = firstNamed(description);
   if (settings.mesh.pins == "scene" && naming != nullptr) {
-    const std::string& where = naming->where;
-    return Advice{(where.empty() ? "" : where + ": ") + "[pins] contains no vertex of this cloth, so it falls.", "pins",
-                  "shape", "Pin by shape"};
+    text::Sentence words = text::Sentence::verbatim(naming->where);
+    words.append(": ", text::Sentence("[pins] contains no vertex of this cloth, so it falls."));
+    return Advice{words, "pins", "shape", byShapeButton};
   }
   if (description.opened && description.bodies.empty()) {
-    return Advice{"Nothing is pinned, so the cloth falls.", "pins", "shape", "Pin by shape"};
+    return Advice{text::Sentence("Nothing is pinned, so the cloth falls."), "pins", "shape", byShapeButton};
   }
   return std::nullopt;
 }

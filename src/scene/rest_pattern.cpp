@@ -30,13 +30,14 @@ double areaRatio(const PatternUvs& uvs, const settings::Settings& settings) {
 }
 
 /// "12 times" or "1/12 of".
-std::string asFactor(double ratio) {
-  return ratio >= 1.0 ? fmt::format("{:.3g} times", ratio) : fmt::format("1/{:.3g} of", 1.0 / ratio);
+text::Sentence asFactor(double ratio) {
+  return ratio >= 1.0 ? text::Sentence("{} times", fmt::format("{:.3g}", ratio))
+                      : text::Sentence("1/{} of", fmt::format("{:.3g}", 1.0 / ratio));
 }
 
 void requirePattern(const PatternUvs& uvs, const settings::Settings& settings) {
   if (!uvs.usable()) {
-    throw messages::InputError("fabric.rest_shape = uv cannot be used: " + problemOf(uvs) +
+    throw messages::InputError("fabric.rest_shape = uv cannot be used: " + problemOf(uvs).english() +
                                ". Correct the UVs in the file, or use fabric.rest_shape = mesh");
   }
   if (settings.fabric.warpFrom == "vertical") {
@@ -56,7 +57,7 @@ void requirePattern(const PatternUvs& uvs, const settings::Settings& settings) {
     throw messages::InputError(
         fmt::format("fabric.uv_scale = {:.3g} gives the pattern {} the area of the mesh. "
                     "Use {:.3g}, or 0, which chooses this value",
-                    settings.fabric.uvScale, asFactor(ratio), matching));
+                    settings.fabric.uvScale, asFactor(ratio).english(), matching));
   }
 }
 
@@ -88,34 +89,35 @@ std::vector<sim::fabric::RestTriangle> patternOf(const PatternUvs& uvs, const se
   return pattern;
 }
 
-std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs, const settings::Settings& settings) {
+text::Sentence restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
+                                const settings::Settings& settings) {
   if (!model.fabric || !model.fabric->meshStrain) {
-    return "the mesh";
+    return text::Sentence("the mesh");
   }
   if (!settings::restsOnPattern(settings)) {
-    return "the mesh, with elastic bands";
+    return text::Sentence("the mesh, with elastic bands");
   }
   const auto& [median, high] = *model.fabric->meshStrain;
-  return fmt::format(
-      "the pattern in the UVs, {:.4g} m a unit; the mesh is strained against it by {:.1f} % (median), "
-      "{:.1f} % (99th percentile)",
-      patternScale(uvs, settings), 100.0 * median, 100.0 * high);
+  return text::Sentence(
+      "the pattern in the UVs, {} m a unit; the mesh is strained against it by {} % (median), {} % (99th percentile)",
+      fmt::format("{:.4g}", patternScale(uvs, settings)), fmt::format("{:.1f}", 100.0 * median),
+      fmt::format("{:.1f}", 100.0 * high));
 }
 
-std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs, const settings::Settings& settings) {
+text::Sentence restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs, const settings::Settings& settings) {
   if (!model.fabric || !model.fabric->meshStrain || !settings::restsOnPattern(settings)) {
     return {};
   }
   if (const double ratio = areaRatio(uvs, settings); std::max(ratio, 1.0 / ratio) > unlikelyAreaRatio) {
-    return fmt::format("fabric.uv_scale gives the pattern {} the area of the mesh; with {:.3g} they are equal",
-                       asFactor(ratio), matchingScale(uvs));
+    return text::Sentence("fabric.uv_scale gives the pattern {} the area of the mesh; with {} they are equal",
+                          asFactor(ratio), fmt::format("{:.3g}", matchingScale(uvs)));
   }
   if (!uvs.isPattern()) {
     const auto& [median, high] = *model.fabric->meshStrain;
-    return fmt::format(
-        "the UVs are unlikely to be the pattern of this mesh: it is strained against them by {:.0f} % (median), "
-        "{:.0f} % (99th percentile), and more in one direction than in the other",
-        100.0 * median, 100.0 * high);
+    return text::Sentence(
+        "the UVs are unlikely to be the pattern of this mesh: it is strained against them by {} % (median), {} % (99th "
+        "percentile), and more in one direction than in the other",
+        fmt::format("{:.0f}", 100.0 * median), fmt::format("{:.0f}", 100.0 * high));
   }
   return {};
 }

@@ -4,6 +4,7 @@
 #include "settings/settings.hpp"
 #include "sim/fabric/pattern.hpp"
 #include "sim/model/cloth_model.hpp"
+#include "text/sentence.hpp"
 
 #include <string>
 #include <vector>
@@ -22,12 +23,12 @@ namespace drape::scene {
 
 /// The rest shape in words: "the mesh", "the mesh, with elastic bands", or the pattern with its scale and the strain of
 /// the mesh against it.
-[[nodiscard]] std::string restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
-                                           const settings::Settings& settings);
+[[nodiscard]] text::Sentence restShapeInWords(const sim::ClothModel& model, const PatternUvs& uvs,
+                                              const settings::Settings& settings);
 
 /// Why the pattern is unlikely to belong to the mesh, in one sentence: their areas differ by more than a factor of 4,
 /// or the texture coordinates do not look like a pattern (PatternUvs::isPattern). Empty if neither is so.
-[[nodiscard]] std::string restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs,
-                                        const settings::Settings& settings);
+[[nodiscard]] text::Sentence restShapeNote(const sim::ClothModel& model, const PatternUvs& uvs,
+                                           const settings::Settings& settings);
 
 }  // namespace drape::scene

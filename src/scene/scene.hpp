@@ -198,10 +198,10 @@ struct Decor {
 
 /// A hint for the user, and the change of a setting that helps.
 struct Advice {
-  std::string text;  ///< the problem and the remedy, in one or two sentences
-  std::string key;   ///< of the setting; empty when no setting helps
+  text::Sentence text;  ///< the problem and the remedy, in one or two sentences
+  std::string key;      ///< of the setting; empty when no setting helps
   std::string value;
-  std::string button;  ///< the text of a button for the change: "Pin by shape"
+  text::Sentence button;  ///< the text of a button for the change: "Pin by shape"
 };
 
 /// A scene that is ready to run. Immutable; the simulation, the renderer and the panels share it.

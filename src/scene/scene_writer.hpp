@@ -30,8 +30,8 @@ struct SceneNow {
 
 /// A scene file, and what it cannot contain.
 struct WrittenScene {
-  std::string text;                ///< TOML (docs/guide/scenes.md)
-  std::vector<std::string> notes;  ///< one sentence each, for the user
+  std::string text;                   ///< TOML (docs/guide/scenes.md)
+  std::vector<text::Sentence> notes;  ///< one sentence each, for the user
 };
 
 /// Writes a scene with the user's changes as a scene file. It opens to the same start, settings and bits of motion. It

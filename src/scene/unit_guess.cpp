@@ -69,9 +69,9 @@ std::string wordForUnit(double metres) {
   return found != usualUnits.end() ? std::string(found->unit.word) : settings::formatValue(metres);
 }
 
-std::string unitInWords(std::string_view unit) {
+text::Sentence unitInWords(std::string_view unit) {
   const LengthUnit* known = findUnit(unit);
-  return known != nullptr ? std::string(known->plural) : "units of " + std::string(unit) + " m";
+  return known != nullptr ? text::Sentence(known->plural) : text::Sentence("units of {} m", unit);
 }
 
 UnitGuess guessUnit(double largestExtent) {

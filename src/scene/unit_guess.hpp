@@ -1,5 +1,7 @@
 #pragma once
 
+#include "text/sentence.hpp"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +26,7 @@ struct LengthUnit {
 [[nodiscard]] std::string wordForUnit(double metres);
 
 /// The unit in a sentence: "centimetres", or "units of 0.03 m".
-[[nodiscard]] std::string unitInWords(std::string_view unit);
+[[nodiscard]] text::Sentence unitInWords(std::string_view unit);
 
 /// A guess of the unit of a mesh.
 struct UnitGuess {

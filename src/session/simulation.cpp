@@ -22,9 +22,9 @@ void Simulation::apply(const Command& command) {
   try {
     std::visit([this](const auto& each) { on(each); }, command);
   } catch (const messages::InputError& error) {
-    message_ = error.what();
+    message_ = messages::sentenceOf(error);
   } catch (const sim::SimError& error) {
-    message_ = messages::messageOf(error);
+    message_ = messages::sentenceOf(error);
   }
 }
 
@@ -51,8 +51,11 @@ void Simulation::step() {
   if (blewUp_) {
     state_ = lastFinite_;
     paused_ = true;
-    message_ = "The cloth blew up at " + std::to_string(state_.time) + " s and stopped. Use a smaller time step or " +
-               (model_->fabric ? "a softer fabric" : "a lower stiffness") + ", then reset.";
+    message_ = text::Sentence(
+        model_->fabric
+            ? "The cloth blew up at {} s and stopped. Use a smaller time step or a softer fabric, then reset."
+            : "The cloth blew up at {} s and stopped. Use a smaller time step or a lower stiffness, then reset.",
+        std::to_string(state_.time));
     return;
   }
   if (balance_) {
@@ -101,28 +104,28 @@ void Simulation::updateCostBudget() {
 void Simulation::reportOverlap() {
   constexpr double patience = 1.5;  // contact pushes nearly everything out within this time [s]
   const sim::contact::ContactReport& contact = stepReport_.contact;
-  overlapMessage_.clear();
+  overlapMessage_ = {};
   if (contact.overlaps == 0 || stepIndex_ == 0) {
     lastOutside_ = state_.time;
   }
   if (contact.overlaps > 0) {
     const bool stuck = state_.time - lastOutside_ > patience;
     const double depth = contact.deepestOverlap * 1e3;
-    overlapMessage_ = fmt::format(
-        "The cloth {} inside a body ({} triangles, up to {:.{}f} mm deep) and {}",
-        stepIndex_ == 0 ? "starts"
-        : stuck         ? "is still"
-                        : "is",
-        contact.overlaps, depth, depth < 10.0 ? 1 : 0,
-        stuck ? "contact cannot push it out: the body may cross the cloth, or not fit. Move or scale one of them."
-              : "is pushed out slowly.");
+    overlapMessage_ = text::Sentence(
+        stepIndex_ == 0 ? "The cloth starts inside a body ({} triangles, up to {} mm deep) and is pushed out slowly."
+        : stuck
+            ? "The cloth is still inside a body ({} triangles, up to {} mm deep) and contact cannot push it out: the "
+              "body may cross the cloth, or not fit. Move or scale one of them."
+            : "The cloth is inside a body ({} triangles, up to {} mm deep) and is pushed out slowly.",
+        contact.overlaps, fmt::format("{:.{}f}", depth, depth < 10.0 ? 1 : 0));
   }
 }
 
 void Simulation::stepGhost() {
   if (ghost_ && !ghost_->step(cloth_, settings_, inputs_)) {
-    message_ = "The ghost (" + std::string(ghost_->solver().title) + ") blew up at " + std::to_string(state_.time) +
-               " s and was removed. Use more substeps, or another solver for it.";
+    message_ =
+        text::Sentence("The ghost ({}) blew up at {} s and was removed. Use more substeps, or another solver for it.",
+                       text::Sentence(ghost_->solver().title), std::to_string(state_.time));
     settings_.ghost.solver = "off";
     useSolvers();
   }
@@ -169,7 +172,7 @@ void Simulation::continueFrom(sim::ClothState state, std::int64_t step) {
   if (balance_) {
     balance_.emplace();
   }
-  message_.clear();
+  message_ = {};
   ++version_;
 }
 
@@ -196,7 +199,7 @@ void Simulation::continueFrom(const RecordedState& recorded) {
     ghost_->reset(ghost);
   }
   inputs_.attachment.reset();
-  overlapMessage_.clear();
+  overlapMessage_ = {};
 }
 
 /// Creates the solvers that the settings name. The states do not change.

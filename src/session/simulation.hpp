@@ -79,7 +79,7 @@ class Simulation {
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
   /// The report of the last step.
   [[nodiscard]] const sim::StepReport& lastStepReport() const { return stepReport_; }
-  [[nodiscard]] const std::string& message() const { return message_.empty() ? overlapMessage_ : message_; }
+  [[nodiscard]] const text::Sentence& message() const { return message_.empty() ? overlapMessage_ : message_; }
 
   /// The commands since the scene was loaded, in order, each with the number of steps before it.
   [[nodiscard]] const std::vector<LoggedCommand>& log() const { return log_; }
@@ -165,9 +165,9 @@ class Simulation {
   bool observed_ = false;
   bool blewUp_ = false;
   Timeline timeline_;
-  std::string message_;
-  std::string overlapMessage_;  // while part of the cloth is inside a body
-  double lastOutside_ = 0.0;    // last time without overlap [s]
+  text::Sentence message_;
+  text::Sentence overlapMessage_;  // while part of the cloth is inside a body
+  double lastOutside_ = 0.0;       // last time without overlap [s]
   double stepSeconds_ = 0.0;
   std::vector<LoggedCommand> log_;
 };

@@ -51,7 +51,7 @@ void Simulation::useSettings(settings::Settings changed, settings::SettingEffect
   timeline_.limit(settings_.timeline.memory);
   useSolvers();
   useBalance();
-  message_.clear();
+  message_ = {};
 }
 
 void Simulation::on(const PauseCommand& command) {
@@ -81,12 +81,14 @@ void Simulation::on(const ResetCommand&) {
     balance_.emplace();
   }
   stepReport_ = {};
-  overlapMessage_.clear();
+  overlapMessage_ = {};
   blewUp_ = false;
   stepIndex_ = 0;
   inputs_.attachment.reset();
-  message_ =
-      unfolded ? "The cloth starts folded flat. Drape added a millionth of its rest shape, so that it can unfold." : "";
+  message_ = unfolded ? text::Sentence(
+                            "The cloth starts folded flat. Drape added a millionth of its rest shape, so that "
+                            "it can unfold.")
+                      : text::Sentence();
 }
 
 /// Stops after a limited time: parts that pins hold in each other stay as they are.
@@ -98,8 +100,9 @@ void Simulation::on(const UntangleCommand&) {
     sim::checkStop(inputs_);
   }
   restAt(untangling.positions());
-  message_ =
-      untangling.isDone() ? "" : "Untangling did not remove all intersections. Pins may hold parts in each other.";
+  message_ = untangling.isDone()
+                 ? text::Sentence()
+                 : text::Sentence("Untangling did not remove all intersections. Pins may hold parts in each other.");
 }
 
 /// Goes on from other positions at the present time.
@@ -128,9 +131,9 @@ void Simulation::on(const PlaceClothCommand& command) {
   } else {
     restAt(command.positions);
     inputs_.attachment.reset();
-    overlapMessage_.clear();
+    overlapMessage_ = {};
     lastOutside_ = state_.time;
-    message_.clear();
+    message_ = {};
   }
 }
 

@@ -73,7 +73,7 @@ struct Snapshot {
   std::vector<sim::contact::ContactPoint> contactPoints;  ///< of the last step; only with view.contacts
   /// Where the cloth intersects itself; only with view.intersections.
   std::vector<sim::contact::IntersectionSegment> intersections;
-  std::string message;  ///< for the status line, when something went wrong; otherwise empty
+  text::Sentence message;  ///< for the status line, when something went wrong; otherwise empty
 };
 
 }  // namespace drape::session

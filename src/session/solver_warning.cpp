@@ -11,22 +11,22 @@
 namespace drape::session {
 namespace {
 
-std::string warningOf(const std::string& name, const sim::ClothModel& model, const sim::StepParameters& parameters) {
+text::Sentence warningOf(const std::string& name, const sim::ClothModel& model, const sim::StepParameters& parameters) {
   const sim::SolverInfo* solver = sim::findSolver(name);
   if (solver == nullptr || solver->warning == nullptr) {
     return {};
   }
   const std::optional<sim::SolverWarning> warning = solver->warning(model, parameters);
-  return warning ? messages::inWords(*warning) : std::string();
+  return warning ? messages::inWords(*warning) : text::Sentence();
 }
 
 }  // namespace
 
-std::string solverWarning(const settings::Settings& settings, const sim::ClothModel& model) {
+text::Sentence solverWarning(const settings::Settings& settings, const sim::ClothModel& model) {
   return warningOf(settings.solver.name, model, settings.step);
 }
 
-std::string ghostWarning(const settings::Settings& settings, const sim::ClothModel& model) {
+text::Sentence ghostWarning(const settings::Settings& settings, const sim::ClothModel& model) {
   return warningOf(settings.ghost.solver, model, ghostParameters(settings));
 }
 
@@ -38,7 +38,7 @@ void requireSolversForMaterial(const settings::Settings& settings) {
        {std::pair("solver", settings.solver.name), std::pair("ghost.solver", settings.ghost.solver)}) {
     const sim::SolverInfo* solver = sim::findSolver(name);
     if (solver != nullptr && !solver->takesFabric) {
-      throw messages::InputError(messages::takesSpringsOnly(key, name));
+      throw messages::InputError(messages::takesSpringsOnly(key, name).english());
     }
   }
 }

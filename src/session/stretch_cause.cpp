@@ -17,6 +17,8 @@
 namespace drape::session {
 namespace {
 
+using text::Sentence;
+
 constexpr double muchByWeight = 0.5;    // strain under the weight alone that explains the rest [-]
 constexpr double wantedStrain = 0.1;    // target of the advice [-]
 constexpr double heaviestFabric = 2.0;  // leather, carpets [kg/m^2]
@@ -37,6 +39,14 @@ std::vector<std::size_t> overstretched(const sim::ClothModel& model, const sim::
     }
   }
   return springs;
+}
+
+/// Whether all overstretched edges end at pins, as where the user moves pins faster than the cloth follows.
+bool onlyPinsStretch(const sim::ClothModel& model, const sim::ClothState& state) {
+  const std::vector<std::size_t> springs = overstretched(model, state);
+  return !springs.empty() && std::ranges::all_of(springs, [&](std::size_t i) {
+    return model.pinned[model.springs[i].a] || model.pinned[model.springs[i].b];
+  });
 }
 
 double medianLength(const sim::ClothModel& model) {
@@ -68,17 +78,21 @@ std::optional<StretchDiagnosis> findSlivers(const scene::Scene& scene, const sim
   const sim::Spring& first = model.springs[springs.front()];
   const Vec3 at = 0.5 * (model.restPositions[first.a] + model.restPositions[first.b]);
   StretchDiagnosis found{StretchCause::Slivers, {}};
-  found.advice.text = "Slivers: " + std::to_string(springs.size()) + (springs.size() == 1 ? " edge is" : " edges are") +
-                      " overstretched. The shortest is 1/" + text::roundedFigure(median / shortest, 1) +
-                      " of the median length. The first is at " + place(at) +
-                      ". Merge their ends with a larger weld_tolerance, or repair the mesh.";
+  found.advice.text = Sentence(
+      text::plural(
+          static_cast<long long>(springs.size()),
+          "Slivers: {} edge is overstretched. The shortest is 1/{} of the median length. The first is at {}. "
+          "Merge their ends with a larger weld_tolerance, or repair the mesh.",
+          "Slivers: {} edges are overstretched. The shortest is 1/{} of the median length. The first is at {}. "
+          "Merge their ends with a larger weld_tolerance, or repair the mesh."),
+      springs.size(), text::roundedFigure(median / shortest, 1), place(at));
   const Vec3 size(scene.summary.size[0], scene.summary.size[1], scene.summary.size[2]);
   const double tolerance = 2.0 * sliverRatio * median / std::max(size.norm(), 1e-12);
   const auto& field = std::get<settings::NumberField>(settings::requireSetting("weld_tolerance").field);
   if (std::holds_alternative<scene::MeshFileSource>(scene.description.cloth().source) && tolerance <= field.max) {
     found.advice.key = "weld_tolerance";
     found.advice.value = text::roundedFigure(tolerance, 1);
-    found.advice.button = "Merge them";
+    found.advice.button = Sentence("Merge them");
   }
   return found;
 }
@@ -94,53 +108,59 @@ StretchDiagnosis explainByWeight(double strain, const scene::Scene& scene, const
                                  const sim::ClothModel& model) {
   const double largest = *std::max_element(scene.summary.size.begin(), scene.summary.size.end());
   const double density = model.totalMass() / std::max(model.restArea(), 1e-12);
-  const std::string weight = "Its weight of " + text::roundedFigure(model.totalMass()) + " kg alone stretches it by " +
-                             text::roundedFigure(100.0 * strain) + " %";
+  const std::string mass = text::roundedFigure(model.totalMass());
+  const std::string percent = text::roundedFigure(100.0 * strain);
+  const Sentence weight("Its weight of {} kg alone stretches it by {} %", mass, percent);
   const bool file = std::holds_alternative<scene::MeshFileSource>(scene.description.cloth().source);
   if (file && largest > 2.0 * scene::largestGarment && scene.reading) {
     const double inFile = largest / scene.reading->metresPerUnit;
     const std::string unit = scene::guessUnit(inFile).unit;
     return {StretchCause::Unit,
-            {"The cloth is " + text::roundedFigure(largest) + " m large. " + weight + ". The file is probably in " +
-                 scene::unitInWords(unit) + ": read it so.",
-             "unit", unit, "Read as " + scene::unitInWords(unit)}};
+            {Sentence("The cloth is {} m large. {}. The file is probably in {}: read it so.",
+                      text::roundedFigure(largest), weight, scene::unitInWords(unit)),
+             "unit", unit, Sentence("Read as {}", scene::unitInWords(unit))}};
   }
   if (density > heaviestFabric) {
-    return {
-        StretchCause::Heavy,
-        {"Too heavy: the cloth weighs " + text::roundedFigure(density) +
-             " kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. " + weight + ". Lower the density.",
-         "density", text::roundedFigure(usualFabric), "Density " + text::roundedFigure(usualFabric) + " kg/m\u00B2"}};
+    const std::string usual = text::roundedFigure(usualFabric);
+    return {StretchCause::Heavy,
+            {Sentence("Too heavy: the cloth weighs {} kg/m\u00B2. Fabrics weigh 0.05 to 1 kg/m\u00B2. {}. Lower the "
+                      "density.",
+                      text::roundedFigure(density), weight),
+             "density", usual, Sentence("Density {} kg/m\u00B2", usual)}};
   }
   if (model.fabric) {
     return {StretchCause::Soft,
-            {"Too soft: " + weight + ". Choose a stiffer fabric, or raise fabric.stretch_warp and fabric.stretch_weft.",
-             "", "", ""}};
+            {Sentence("Too soft: {}. Choose a stiffer fabric, or raise fabric.stretch_warp and fabric.stretch_weft.",
+                      weight),
+             "",
+             "",
+             {}}};
   }
   const std::string stiffness = text::roundedFigure(helpfulStiffness(model, settings.step));
-  const std::string soft =
-      settings.step.material.stiffness > 0.0
-          ? weight + " at a stiffness of " + text::roundedFigure(settings.step.material.stiffness) + " N/m"
-          : "a stiffness of 0 cannot carry any weight";
+  const Sentence soft = settings.step.material.stiffness > 0.0
+                            ? Sentence("Its weight of {} kg alone stretches it by {} % at a stiffness of {} N/m", mass,
+                                       percent, text::roundedFigure(settings.step.material.stiffness))
+                            : Sentence("a stiffness of 0 cannot carry any weight");
   return {StretchCause::Soft,
-          {"Too soft: " + soft + ". A stiffness of " + stiffness + " N/m carries it.", "stiffness", stiffness,
-           "Stiffness " + stiffness + " N/m"}};
+          {Sentence("Too soft: {}. A stiffness of {} N/m carries it.", soft, stiffness), "stiffness", stiffness,
+           Sentence("Stiffness {} N/m", stiffness)}};
 }
 
 StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::ClothModel& model) {
   const bool chooses = settings.solver.name == "auto";
-  const scene::Advice toAuto{"", "solver", "auto", "Use auto"};
-  if (const std::string warning = solverWarning(settings, model); !chooses && !warning.empty()) {
+  const scene::Advice toAuto{{}, "solver", "auto", Sentence("Use auto")};
+  if (const Sentence warning = solverWarning(settings, model); !chooses && !warning.empty()) {
     StretchDiagnosis found{StretchCause::TimeStep, toAuto};
-    found.advice.text = "The time step is too long for the solver " + settings.solver.name + ": " + warning;
+    found.advice.text = Sentence("The time step is too long for the solver {}: {}", settings.solver.name, warning);
     return found;
   }
   StretchDiagnosis found{StretchCause::Solver, chooses ? scene::Advice{} : toAuto};
-  found.advice.text =
-      "Overstretched: edges are longer than three times their rest length. Neither the weight nor the "
-      "mouse causes this. The solver " +
-      settings.solver.name + " failed here; " +
-      (chooses ? "use a shorter time step" : "use auto or a shorter time step") + ", then reset.";
+  found.advice.text = Sentence(
+      chooses ? "Overstretched: edges are longer than three times their rest length. Neither the weight nor the mouse "
+                "causes this. The solver {} failed here; use a shorter time step, then reset."
+              : "Overstretched: edges are longer than three times their rest length. Neither the weight nor the mouse "
+                "causes this. The solver {} failed here; use auto or a shorter time step, then reset.",
+      settings.solver.name);
   return found;
 }
 
@@ -156,9 +176,23 @@ StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Sett
   }
   if (pulled) {
     return {StretchCause::Attachment,
-            {std::string("The mouse pulls too hard for this cloth. Release it, lower the mouse force, or ") +
-                 (model.fabric ? "choose a stiffer fabric." : "raise the stiffness."),
-             "", "", ""}};
+            {Sentence(model.fabric
+                          ? "The mouse pulls too hard for this cloth. Release it, lower the mouse force, or choose "
+                            "a stiffer fabric."
+                          : "The mouse pulls too hard for this cloth. Release it, lower the mouse force, or raise "
+                            "the stiffness."),
+             "",
+             "",
+             {}}};
+  }
+  if (onlyPinsStretch(model, state)) {
+    return {
+        StretchCause::Attachment,
+        {Sentence("Pins pull at the cloth: edges there are longer than three times their rest length. It follows in "
+                  "a moment; otherwise move the pins less far."),
+         "",
+         "",
+         {}}};
   }
   return explainBySolver(settings, model);
 }

@@ -224,8 +224,9 @@ std::vector<OwnChoice> ownFabricChoices(const Settings& settings) {
   std::vector<OwnChoice> choices;
   if (settings.fabric.own) {
     for (const OwnFabric& fabric : *settings.fabric.own) {
-      choices.push_back(
-          {fabric.name, fabric.name, fabric.source.empty() ? "A fabric of your own." : "Your own: " + fabric.source});
+      choices.push_back({fabric.name, fabric.name,
+                         fabric.source.empty() ? text::Sentence("A fabric of your own.")
+                                               : text::Sentence("Your own: {}", fabric.source)});
     }
   }
   return choices;

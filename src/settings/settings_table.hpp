@@ -1,6 +1,7 @@
 #pragma once
 
 #include "settings/settings.hpp"
+#include "text/sentence.hpp"
 
 #include <span>
 #include <string>
@@ -56,7 +57,7 @@ struct ChoiceLabel {
 struct OwnChoice {
   std::string word;
   std::string title;
-  std::string help;
+  text::Sentence help;
 };
 
 /// One of a list of words, or another text that `accepts` allows.
@@ -121,19 +122,19 @@ inline constexpr int maxDepth = 2;  ///< of any setting
 [[nodiscard]] SettingValue defaultValue(const SettingInfo& info);
 
 /// "1e-05 to 0.1", "on or off", "m, cm or mm".
-[[nodiscard]] std::string describeRange(const SettingInfo& info);
+[[nodiscard]] text::Sentence describeRange(const SettingInfo& info);
 
 /// The same, with the choices that these settings add.
-[[nodiscard]] std::string describeRange(const SettingInfo& info, const Settings& settings);
+[[nodiscard]] text::Sentence describeRange(const SettingInfo& info, const Settings& settings);
 
 /// The name of a choice for the user: its title, or the word with blanks in place of underscores.
 [[nodiscard]] std::string choiceTitle(const ChoiceField& field, std::string_view word);
 
 /// The same, also for choices that the settings add, and for a changed fabric: "Cotton, changed".
-[[nodiscard]] std::string shownChoice(const ChoiceField& field, std::string_view word, const Settings& settings);
+[[nodiscard]] text::Sentence shownChoice(const ChoiceField& field, std::string_view word, const Settings& settings);
 
 /// The name of the fabric of these settings: "Denim", "Cotton, changed", or that of an own fabric.
-[[nodiscard]] std::string fabricTitle(const Settings& settings);
+[[nodiscard]] text::Sentence fabricTitle(const Settings& settings);
 
 /// Sets the value, and that of `alsoKey`. A real setting also takes a whole number. Throws UsageError with key, value,
 /// range and unit when the value has the wrong type or is out of range. `settings` is then unchanged.

@@ -11,6 +11,8 @@
 namespace drape::settings {
 namespace {
 
+using text::Sentence;
+
 template <typename... Ts>
 struct Overloaded : Ts... {
   using Ts::operator()...;
@@ -22,8 +24,8 @@ std::string quoted(std::string_view text) {
   return "'" + std::string(text) + "'";
 }
 
-std::string withUnit(const SettingInfo& info, const std::string& text) {
-  return info.unit == "-" ? text : text + " " + std::string(info.unit);
+Sentence withUnit(const SettingInfo& info, Sentence text) {
+  return info.unit == "-" ? text : text.append(" ", Sentence::verbatim(info.unit));
 }
 
 /// The words of a choice, with those that the settings add.
@@ -37,17 +39,17 @@ std::vector<std::string> wordsOf(const ChoiceField& field, const Settings& setti
   return words;
 }
 
-std::string listWords(const std::vector<std::string>& words) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+Sentence listWords(const std::vector<std::string>& words) {
+  std::string first;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    first += (i == 0 ? "" : ", ") + words[i];
   }
-  return text;
+  return first.empty() ? Sentence::verbatim(words.front()) : Sentence("{} or {}", first, words.back());
 }
 
 [[noreturn]] void refuse(const SettingInfo& info, const std::string& given, const Settings& settings) {
-  throw messages::UsageError(std::string(info.key) + " must be " + describeRange(info, settings) + "; " + given +
-                             " is not");
+  throw messages::UsageError(std::string(info.key) + " must be " + describeRange(info, settings).english() + "; " +
+                             given + " is not");
 }
 
 void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
@@ -221,19 +223,19 @@ std::string choiceTitle(const ChoiceField& field, std::string_view word) {
   return spoken;
 }
 
-std::string shownChoice(const ChoiceField& field, std::string_view word, const Settings& settings) {
+Sentence shownChoice(const ChoiceField& field, std::string_view word, const Settings& settings) {
   if (word.ends_with(changedMark)) {
-    return shownChoice(field, word.substr(0, word.size() - changedMark.size()), settings) + std::string(changedMark);
+    return Sentence("{}, changed", shownChoice(field, word.substr(0, word.size() - changedMark.size()), settings));
   }
   for (const OwnChoice& own : field.ownChoices == nullptr ? std::vector<OwnChoice>() : field.ownChoices(settings)) {
     if (own.word == word) {
-      return own.title;
+      return Sentence::verbatim(own.title);
     }
   }
-  return choiceTitle(field, word);
+  return Sentence(choiceTitle(field, word));
 }
 
-std::string fabricTitle(const Settings& settings) {
+Sentence fabricTitle(const Settings& settings) {
   const auto& field = std::get<ChoiceField>(requireSetting("material.preset").field);
   return shownChoice(field, field.get(settings), settings);
 }
@@ -242,24 +244,24 @@ SettingValue defaultValue(const SettingInfo& info) {
   return settingValue(Settings{}, info);
 }
 
-std::string describeRange(const SettingInfo& info) {
+Sentence describeRange(const SettingInfo& info) {
   return describeRange(info, Settings{});
 }
 
-std::string describeRange(const SettingInfo& info, const Settings& settings) {
+Sentence describeRange(const SettingInfo& info, const Settings& settings) {
   return std::visit(
-      Overloaded{[&](const NumberField& field) {
-                   return withUnit(info, text::exactNumber(field.min) + " to " + text::exactNumber(field.max));
-                 },
-                 [&](const IntegerField& field) {
-                   return withUnit(
-                       info, "a whole number from " + std::to_string(field.min) + " to " + std::to_string(field.max));
-                 },
-                 [](const FlagField&) { return std::string("on or off"); },
-                 [&](const ChoiceField& field) {
-                   return listWords(wordsOf(field, settings)) +
-                          (field.otherTexts.empty() ? "" : ", or " + std::string(field.otherTexts));
-                 }},
+      Overloaded{
+          [&](const NumberField& field) {
+            return withUnit(info, Sentence("{} to {}", text::exactNumber(field.min), text::exactNumber(field.max)));
+          },
+          [&](const IntegerField& field) {
+            return withUnit(info, Sentence("a whole number from {} to {}", field.min, field.max));
+          },
+          [](const FlagField&) { return Sentence("on or off"); },
+          [&](const ChoiceField& field) {
+            Sentence words = listWords(wordsOf(field, settings));
+            return field.otherTexts.empty() ? words : words.append(", ", Sentence("or {}", Sentence(field.otherTexts)));
+          }},
       info.field);
 }
 

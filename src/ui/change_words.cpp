@@ -6,7 +6,6 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,9 +13,16 @@
 namespace drape::ui {
 namespace {
 
-std::string settingChange(const settings::SettingInfo& info, const settings::Settings& from,
-                          const settings::Settings& to) {
-  return withUnit(fmt::format("{} {} to {}", info.title, shownValue(info, from), shownValue(info, to)), info.unit);
+using text::Sentence;
+
+std::string shortNumber(double value) {
+  return fmt::format("{:.4g}", value);
+}
+
+Sentence settingChange(const settings::SettingInfo& info, const settings::Settings& from,
+                       const settings::Settings& to) {
+  return withUnit(Sentence("{} {} to {}", Sentence(info.title), shownValue(info, from), shownValue(info, to)),
+                  info.unit);
 }
 
 bool isFabricValue(const settings::SettingInfo& info) {
@@ -28,7 +34,7 @@ bool isFabricValue(const settings::SettingInfo& info) {
 
 /// Another fabric changes many values, and a changed value makes its name "Cotton, changed". A setting such as mass
 /// also sets another one. One of them is enough.
-void addSettings(const settings::Settings& from, const settings::Settings& to, std::vector<std::string>& changes) {
+void addSettings(const settings::Settings& from, const settings::Settings& to, std::vector<Sentence>& changes) {
   const bool otherFabric = from.fabric.preset != to.fabric.preset;
   const std::vector<const settings::SettingInfo*> changed = session::changedSettings(from, to);
   for (const settings::SettingInfo* info : changed) {
@@ -49,87 +55,92 @@ bool isOtherMesh(const session::UserState& from, const session::UserState& to) {
       [](const settings::SettingInfo* info) { return info->effect == settings::SettingEffect::Scene; });
 }
 
-void addPins(const session::UserState& from, const session::UserState& to, std::vector<std::string>& changes) {
+void addPins(const session::UserState& from, const session::UserState& to, std::vector<Sentence>& changes) {
   if (session::havePinsInCommon(from, to) || isOtherMesh(from, to)) {
     return;
   }
   const auto count = static_cast<long>(to.pins->size()) - static_cast<long>(from.pins->size());
-  changes.push_back(count == 0 ? std::string("other pins")
-                               : fmt::format("{} {} {}", std::abs(count), std::abs(count) == 1 ? "pin" : "pins",
-                                             count > 0 ? "set" : "released"));
+  if (count == 0) {
+    changes.push_back(Sentence("other pins"));
+  } else {
+    changes.push_back(count > 0 ? Sentence(text::plural(count, "{} pin set", "{} pins set"), count)
+                                : Sentence(text::plural(-count, "{} pin released", "{} pins released"), -count));
+  }
 }
 
-void addPinPaths(const session::UserState& from, const session::UserState& to, std::vector<std::string>& changes) {
+void addPinPaths(const session::UserState& from, const session::UserState& to, std::vector<Sentence>& changes) {
   if (*from.pinPaths != *to.pinPaths && !isOtherMesh(from, to)) {
-    changes.emplace_back("keyframes of pins");
+    changes.push_back(Sentence("keyframes of pins"));
   }
 }
 
 void addFigure(const std::string& name, const figure::FigureOptions& before, const figure::FigureOptions& after,
-               std::vector<std::string>& changes) {
+               std::vector<Sentence>& changes) {
   if (before.motion != after.motion) {
-    changes.push_back(fmt::format("motion of {} {} to {}", name, before.motion->title, after.motion->title));
+    changes.push_back(
+        Sentence("motion of {} {} to {}", name, Sentence(before.motion->title), Sentence(after.motion->title)));
   }
   if (before.speed != after.speed) {
-    changes.push_back(fmt::format("speed of {} {:.4g} to {:.4g}", name, before.speed, after.speed));
+    changes.push_back(Sentence("speed of {} {} to {}", name, shortNumber(before.speed), shortNumber(after.speed)));
   }
   for (const figure::ProportionInfo& each : figure::proportionTable()) {
     if (before.proportions.*each.value != after.proportions.*each.value) {
-      changes.push_back(fmt::format("{} of {}", each.key, name));
+      changes.push_back(Sentence("{} of {}", Sentence(each.key), name));
     }
   }
 }
 
 void addBodies(const session::UserState& from, const session::UserState& to, const scene::Scene& scene,
-               std::vector<std::string>& changes) {
+               std::vector<Sentence>& changes) {
   const std::size_t count = std::min({from.bodies.size(), to.bodies.size(), scene.bodies->size()});
   for (std::size_t i = 0; i < count; ++i) {
     const session::BodyChoice& before = from.bodies[i];
     const session::BodyChoice& after = to.bodies[i];
     const std::string& name = (*scene.bodies)[i].name;
     if (before.on != after.on) {
-      changes.push_back(name + (after.on ? " switched on" : " switched off"));
+      changes.push_back(Sentence(after.on ? "{} switched on" : "{} switched off", name));
     }
     if (before.shift != after.shift) {
-      changes.push_back(name + " moved");
+      changes.push_back(Sentence("{} moved", name));
     }
     if (before.figure && after.figure) {
       addFigure(name, *before.figure, *after.figure, changes);
     }
     for (const settings::SurfaceField& field : settings::surfaceFields()) {
       if (before.surface.*field.value != after.surface.*field.value) {
-        changes.push_back(withUnit(fmt::format("{} of {} {:.4g} to {:.4g}", field.title, name,
-                                               before.surface.*field.value, after.surface.*field.value),
-                                   field.unit));
+        changes.push_back(
+            withUnit(Sentence("{} of {} {} to {}", Sentence(field.title), name,
+                              shortNumber(before.surface.*field.value), shortNumber(after.surface.*field.value)),
+                     field.unit));
       }
     }
   }
 }
 
 void addPlacements(const session::UserState& from, const session::UserState& to, const scene::Scene& scene,
-                   std::vector<std::string>& changes) {
+                   std::vector<Sentence>& changes) {
   for (const scene::Placeable& thing : scene::placeablesOf(scene.description)) {
     if (from.placements.of(thing) != to.placements.of(thing)) {
-      changes.push_back("placement of the " + scene::nameOf(scene.description, thing));
+      changes.push_back(Sentence("placement of the {}", scene::nameOf(scene.description, thing)));
     }
   }
 }
 
 }  // namespace
 
-std::string changeInWords(const session::UserState& from, const session::UserState& to, const scene::Scene& scene) {
-  std::vector<std::string> changes;
+Sentence changeInWords(const session::UserState& from, const session::UserState& to, const scene::Scene& scene) {
+  std::vector<Sentence> changes;
   addSettings(from.settings, to.settings, changes);
   addPins(from, to, changes);
   addPinPaths(from, to, changes);
   addPlacements(from, to, scene, changes);
   addBodies(from, to, scene, changes);
   constexpr std::size_t shownInFull = 2;
-  std::string words;
+  Sentence words;
   for (std::size_t i = 0; i < std::min(shownInFull, changes.size()); ++i) {
-    words += (i == 0 ? "" : ", ") + changes[i];
+    words.append(", ", changes[i]);
   }
-  return changes.size() <= shownInFull ? words : fmt::format("{} and {} more", words, changes.size() - shownInFull);
+  return changes.size() <= shownInFull ? words : Sentence("{} and {} more", words, changes.size() - shownInFull);
 }
 
 }  // namespace drape::ui

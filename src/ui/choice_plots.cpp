@@ -45,7 +45,7 @@ void choicePlots(const PanelContext& context) {
   const auto& samples = context.memory.measures.samples();
   const std::array counts{PlotCurve{"Substeps", colours[0], chosen<substeps>},
                           PlotCurve{"Force evaluations", colours[1], chosen<forceEvaluations>}};
-  timePlot(context, "Chosen", "per step", samples, counts);
+  timePlot(context, "Chosen", context.texts("per step"), samples, counts);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
     const std::array kept{PlotCurve{"Stiffness scale", colours[2], chosen<stiffnessScale>}};
     timePlot(context, "Stiffness scale", "%", samples, kept);

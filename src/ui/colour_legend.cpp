@@ -66,13 +66,14 @@ void colourLegend(PanelContext& context, const UiRect& view, float above) {
               {static_cast<float>(view.x) + margin, static_cast<float>(view.y + view.height) - margin - above},
               {0.0F, 1.0F}, OverlayStack::Mouse::LetThrough);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + (barWidth + 2.4F) * ImGui::GetTextLineHeight());
-  ImGui::TextUnformatted((std::string(shown->field->title) + " [" + prettyUnit(shown->field->unit) + "]").c_str());
+  ImGui::TextUnformatted(
+      (context.texts(shown->field->title) + " [" + context.texts(unitInWords(shown->field->unit)) + "]").c_str());
   if (shown->isShown()) {
     legendBar(context, *shown);
   }
   for (const std::string& sentence : {shown->problem, shown->note}) {
     if (!sentence.empty()) {
-      mutedText(sentence, palette().warning);
+      mutedText(context.texts(sentence), palette().warning);
     }
   }
   ImGui::PopTextWrapPos();

@@ -23,9 +23,10 @@ bool isPressed(ImGuiKey key) {
 /// The right half of a row: the value of a setting, the keys of a command, the name of a scene.
 std::string detailOf(const PanelContext& context, const SearchEntry& entry) {
   if (const auto* setting = std::get_if<const settings::SettingInfo*>(&entry.target)) {
-    return valueInWords(**setting, context.settings);
+    return context.texts(valueInWords(**setting, context.settings));
   }
-  return std::holds_alternative<SceneTarget>(entry.target) ? "open  " + entry.key : entry.key;
+  return std::holds_alternative<SceneTarget>(entry.target) ? context.texts("open  {}", entry.key)
+                                                           : keysInWords(entry.key, context.texts);
 }
 
 bool applies(const PanelContext& context, const SearchEntry& entry) {
@@ -37,9 +38,10 @@ bool applies(const PanelContext& context, const SearchEntry& entry) {
 void drawHelp(const PanelContext& context, const SearchEntry* entry, float width) {
   ImGui::BeginChild("help", {width, 3.0F * ImGui::GetTextLineHeight()});
   if (entry == nullptr) {
-    mutedText("Nothing fits. Try another word, or a part of it.");
+    mutedText(context.texts("Nothing fits. Try another word, or a part of it."));
   } else if (!applies(context, *entry)) {
-    mutedText("Has no effect in this scene with the present settings. " + entry->help, palette().warning);
+    mutedText(context.texts("Has no effect in this scene with the present settings. {}", entry->help),
+              palette().warning);
   } else {
     mutedText(entry->help);
   }
@@ -110,7 +112,7 @@ bool CommandPalette::drawRow(PanelContext& context, const SearchEntry& entry, st
   ImGui::PushStyleColor(ImGuiCol_Header, chosen ? palette().accentFill : ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
   const bool clicked = ImGui::Selectable("##row", chosen, 0, {width, 0.0F});
   ImGui::PopStyleColor();
-  context.buttons["search." + (entry.key.empty() ? entry.title : entry.key)] = lastItemRect();
+  context.buttons["search." + (entry.key.empty() ? entry.english : entry.key)] = lastItemRect();
   if (chosen && std::exchange(follows_, false)) {
     ImGui::SetScrollHereY();
   }
@@ -146,7 +148,8 @@ void CommandPalette::take(PanelContext& context, const SearchEntry& entry) {
   if (const auto* setting = std::get_if<const settings::SettingInfo*>(&entry.target)) {
     context.memory.revealed = {std::string((*setting)->key), ImGui::GetTime(), true};
     if (!applies(context, entry)) {
-      context.output.hint = std::string((*setting)->title) + " has no effect in this scene with the present settings";
+      context.output.hint =
+          text::Sentence("{} has no effect in this scene with the present settings", text::Sentence((*setting)->title));
     }
   } else if (const auto* shortcut = std::get_if<const Shortcut*>(&entry.target)) {
     request(**shortcut, context.snapshot, context.output);
@@ -155,7 +158,7 @@ void CommandPalette::take(PanelContext& context, const SearchEntry& entry) {
   }
 }
 
-void CommandPalette::editText(float width) {
+void CommandPalette::editText(const PanelContext& context, float width) {
   if (!ImGui::IsAnyItemActive()) {
     ImGui::SetKeyboardFocusHere();
   }
@@ -165,7 +168,7 @@ void CommandPalette::editText(float width) {
     ImGui::GetIO().ClearInputCharacters();
   }
   ImGui::SetNextItemWidth(width);
-  ImGui::InputTextWithHint("##search", "Type a word; arrows and Return choose", &text_,
+  ImGui::InputTextWithHint("##search", context.texts("Type a word; arrows and Return choose").c_str(), &text_,
                            hadFocus_ ? 0 : ImGuiInputTextFlags_CallbackAlways, putCursorAtEnd);
   hadFocus_ = ImGui::IsItemActive();
 }
@@ -176,7 +179,7 @@ void CommandPalette::draw(PanelContext& context, const UiRect& view) {
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const int fitting = static_cast<int>((static_cast<float>(view.height) - 8.0F * line) / line);
   beginDialog(context, view, "search", "Find a setting, a command or a scene");
-  editText(width);
+  editText(context, width);
   context.buttons["search.text"] = lastItemRect();
   const bool entered = readKeys();
   isStale_ = isStale_ || text_ != searched_;

@@ -24,7 +24,7 @@ class CommandPalette {
 
  private:
   void find(const PanelContext& context);
-  void editText(float width);
+  void editText(const PanelContext& context, float width);
   [[nodiscard]] bool readKeys();
   void drawRows(PanelContext& context, float width, int rows);
   bool drawRow(PanelContext& context, const SearchEntry& entry, std::size_t row, float width);

@@ -44,7 +44,8 @@ void surfaceRow(PanelContext& context, std::size_t i, const settings::SurfaceFie
   };
   const std::string key = "body." + body.name + "." + std::string(field.key);
   ImGui::PushID(key.c_str());
-  const UiRect row = beginRow(context, "  " + std::string(field.title), value != sceneValue);
+  const UiRect row =
+      beginRow(context, text::Sentence::verbatim("  " + context.texts(field.title)), value != sceneValue);
   const Edit edit = numberSlider(context, sliderOf(key, field), value);
   context.widgets[key] = lastItemRect();
   if (edit.changed) {
@@ -54,11 +55,11 @@ void surfaceRow(PanelContext& context, std::size_t i, const settings::SurfaceFie
   }
   if (hoversRow(row) && hoveredLongEnough(context, key)) {
     beginExplanation(context, &row);
-    ImGui::TextWrapped("%.*s", static_cast<int>(field.help.size()), field.help.data());
+    ImGui::TextWrapped("%s", context.texts(field.help).c_str());
     ImGui::Spacing();
-    mutedText("Range: " + withUnit(field, field.min) + " to " + withUnit(field, field.max));
-    mutedText("In the scene: " + withUnit(field, sceneValue));
-    mutedText("Ctrl+click types a value. A right click restores the scene's value.");
+    mutedText(context.texts("Range: {} to {}", withUnit(field, field.min), withUnit(field, field.max)));
+    mutedText(context.texts("In the scene: {}", withUnit(field, sceneValue)));
+    mutedText(context.texts("Ctrl+click types a value. A right click restores the scene's value."));
     endExplanation();
   }
   ImGui::PopID();
@@ -66,12 +67,12 @@ void surfaceRow(PanelContext& context, std::size_t i, const settings::SurfaceFie
 
 /// The button beside a body's box, which opens and closes the rows of its surface.
 void surfaceButton(PanelContext& context, const std::string& name) {
-  constexpr const char* word = "Surface";
-  const float width = ImGui::CalcTextSize(word).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const std::string word = context.texts("Surface");
+  const float width = ImGui::CalcTextSize(word.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   const bool open = context.memory.openSurface == name;
   ImGui::PushStyleColor(ImGuiCol_Button, open ? palette().accentFill : palette().field);
-  if (ImGui::Button(word)) {
+  if (ImGui::Button((word + "###surface").c_str())) {
     context.memory.openSurface = open ? "" : name;
   }
   ImGui::PopStyleColor();
@@ -84,7 +85,7 @@ void bodyRows(PanelContext& context) {
   const std::vector<sim::contact::Body>& bodies = *context.snapshot.scene->bodies;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    beginRow(context, bodies[i].name);
+    beginRow(context, text::Sentence::verbatim(bodies[i].name));
     bool on = i < context.snapshot.bodies.size() && context.snapshot.bodies[i].on;
     if (ImGui::Checkbox("##body", &on)) {
       context.output.commands.emplace_back(session::SwitchBodyCommand{static_cast<int>(i), on});
@@ -114,7 +115,7 @@ void reportRows(PanelContext& context) {
 }
 
 void untangleButton(PanelContext& context) {
-  if (ImGui::Button("Untangle", {ImGui::GetContentRegionAvail().x, 0.0F})) {
+  if (ImGui::Button(labelOf(context, "Untangle", "untangle").c_str(), {ImGui::GetContentRegionAvail().x, 0.0F})) {
     context.output.commands.emplace_back(session::UntangleCommand{});
   }
   context.buttons["untangle"] = lastItemRect();
@@ -131,7 +132,8 @@ void dressRows(PanelContext& context) {
   if (!hasBodyToDress(context.snapshot)) {
     return;
   }
-  if (ImGui::Button(dressWord(context.snapshot), {ImGui::GetContentRegionAvail().x, 0.0F})) {
+  if (ImGui::Button(labelOf(context, dressWord(context.snapshot), "dress").c_str(),
+                    {ImGui::GetContentRegionAvail().x, 0.0F})) {
     context.output.requests.emplace_back(UiAction::Dress);
   }
   context.buttons["dress"] = lastItemRect();
@@ -180,7 +182,7 @@ void contactRows(PanelContext& context) {
     untangleButton(context);
   }
   if (context.snapshot.scene->bodies->empty()) {
-    mutedText("There are no bodies in this scene.");
+    mutedText(context.texts("There are no bodies in this scene."));
   } else {
     bodyRows(context);
     reportRows(context);

@@ -17,10 +17,10 @@ constexpr const char* explanation =
     "Dress puts the cloth on the body and removes all intersections.";
 
 /// The names of what can be the cloth.
-std::vector<std::string> namesOfChoices(const DroppedFiles& files) {
+std::vector<std::string> namesOfChoices(const PanelContext& context, const DroppedFiles& files) {
   std::vector<std::string> choices = distinctNames(files.meshes);
   if (!files.scenes.empty()) {
-    choices.push_back("the cloth of " + shortName(files.scenes.back()));
+    choices.push_back(context.texts("the cloth of {}", shortName(files.scenes.back())));
   }
   return choices;
 }
@@ -32,7 +32,7 @@ std::size_t radioButtons(PanelContext& context, const std::vector<std::string>& 
   ImGui::PushStyleColor(ImGuiCol_Border, palette().muted);
   for (std::size_t i = 0; i < choices.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::RadioButton(fitted(choices[i], textWidth).c_str(), i == chosen)) {
+    if (ImGui::RadioButton((fitted(choices[i], textWidth) + "###choice").c_str(), i == chosen)) {
       chosen = i;
     }
     context.buttons["cloth." + std::to_string(i)] = lastItemRect();
@@ -58,7 +58,8 @@ std::size_t clothChoice(PanelContext& context, const UiRect& view, const std::ve
   const float room = std::max(2.0F * row, static_cast<float>(view.height) - 9.0F * row);
   const float height = std::min(room, row * static_cast<float>(choices.size()));
   // As wide as the text below, so that the scroll bar is at the edge of the dialog.
-  const float below = std::min(ImGui::CalcTextSize(explanation).x, ImGui::GetIO().DisplaySize.x - 3.0F * button);
+  const float below =
+      std::min(ImGui::CalcTextSize(context.texts(explanation).c_str()).x, ImGui::GetIO().DisplaySize.x - 3.0F * button);
   ImGui::BeginChild("choices", {std::max(below, textWidth + button + style.ScrollbarSize), height});
   chosen = radioButtons(context, choices, chosen, textWidth);
   ImGui::EndChild();
@@ -69,13 +70,16 @@ std::size_t clothChoice(PanelContext& context, const UiRect& view, const std::ve
 
 bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files, std::size_t& cloth) {
   beginDialog(context, view, "drop", "Which one is the cloth?");
-  cloth = clothChoice(context, view, namesOfChoices(files), cloth);
+  cloth = clothChoice(context, view, namesOfChoices(context, files), cloth);
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-  ImGui::TextUnformatted(explanation);
+  ImGui::TextUnformatted(context.texts(explanation).c_str());
   ImGui::PopStyleColor();
   ImGui::Spacing();
-  const float width = 130.0F * context.scale;
+  float width = 130.0F * context.scale;
+  for (const char* word : {"Open (Enter)", "Dress", "Cancel (Esc)"}) {
+    width = widthOfButton(context, word, width);
+  }
   const bool open = iconButton(context, "drop.open", Icon::None, "Open (Enter)", width, true) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
@@ -84,7 +88,9 @@ bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles&
   bool alone = false;
   if (!files.alone.empty()) {
     ImGui::SameLine();
-    alone = iconButton(context, "drop.alone", Icon::None, fitted("Only " + shortName(files.alone), width), width);
+    alone =
+        iconButton(context, "drop.alone", Icon::None,
+                   text::Sentence::verbatim(fitted(context.texts("Only {}", shortName(files.alone)), width)), width);
   }
   ImGui::SameLine();
   const bool cancel = iconButton(context, "drop.cancel", Icon::None, "Cancel (Esc)", width);

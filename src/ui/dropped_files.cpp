@@ -39,10 +39,6 @@ std::string listOf(const std::vector<std::string>& files) {
   return names;
 }
 
-void addSentence(std::string& text, const std::string& sentence) {
-  text += (text.empty() ? "" : " ") + sentence;
-}
-
 }  // namespace
 
 std::string shortName(const std::string& file) {
@@ -97,7 +93,7 @@ DropDecision decide(const DroppedFiles& files) {
   DropDecision decision;
   if (files.scenes.size() > 1) {
     const std::vector<std::string> left(files.scenes.begin(), files.scenes.end() - 1);
-    addSentence(decision.notice, "Only the last scene is opened, not " + listOf(left) + ".");
+    decision.notice.append(" ", text::Sentence("Only the last scene is opened, not {}.", listOf(left)));
   }
   const std::size_t pieces = files.meshes.size() + (files.scenes.empty() ? 0 : 1);
   std::vector<std::string> unknown = files.others;
@@ -108,11 +104,11 @@ DropDecision decide(const DroppedFiles& files) {
     decision.open = scene::SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
   }
   if (pieces <= 1 && !files.caches.empty()) {
-    addSentence(decision.notice,
-                "Vertex caches move a body: drop garment, body and " + listOf(files.caches) + " together.");
+    decision.notice.append(
+        " ", text::Sentence("Vertex caches move a body: drop garment, body and {} together.", listOf(files.caches)));
   }
   if (!unknown.empty()) {
-    addSentence(decision.notice, "Neither scenes nor meshes, and not opened: " + listOf(unknown) + ".");
+    decision.notice.append(" ", text::Sentence("Neither scenes nor meshes, and not opened: {}.", listOf(unknown)));
   }
   decision.ask = pieces > 1;
   return decision;

@@ -29,7 +29,7 @@ struct DroppedFiles {
 struct DropDecision {
   std::optional<scene::SceneParts> open;  ///< opened at once; empty: none
   bool ask = false;                       ///< whether the user must say which mesh is the cloth
-  std::string notice;                     ///< which files are not opened, and why; or empty
+  text::Sentence notice;                  ///< which files are not opened, and why; or empty
 };
 
 /// One scene or one mesh is opened at once; of several scenes the last one. For several meshes, or a mesh with a scene,

@@ -39,7 +39,7 @@ const ExportFormat& firstOf(ExportKind kind) {
 }
 
 void kindRow(PanelContext& context, ExportRequest& choice) {
-  static constexpr std::array<Segment, 3> kinds{{{"frame", "Frame"}, {"motion", "Motion"}, {"film", "Film"}}};
+  static constexpr std::array<Segment, 3> kinds{{{"frame", "export|Frame"}, {"motion", "Motion"}, {"film", "Film"}}};
   beginRow(context, "Contents");
   const auto chosen = static_cast<std::size_t>(choice.format->kind);
   const std::size_t next = segments(context, "export.kind", kinds, chosen);
@@ -51,12 +51,12 @@ void kindRow(PanelContext& context, ExportRequest& choice) {
 void formatRow(PanelContext& context, ExportRequest& choice) {
   beginRow(context, "Format");
   ImGui::PushID("export.format");
-  if (ImGui::BeginCombo("##format", std::string(choice.format->title).c_str(), ImGuiComboFlags_HeightLarge)) {
+  if (ImGui::BeginCombo("##format", context.texts(choice.format->title).c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const ExportFormat& format : exportFormats()) {
       if (format.kind != choice.format->kind) {
         continue;
       }
-      if (ImGui::Selectable(std::string(format.title).c_str(), &format == choice.format)) {
+      if (ImGui::Selectable(labelOf(context, format.title, format.name).c_str(), &format == choice.format)) {
         choice.format = &format;
       }
       context.buttons["export.format=" + std::string(format.name)] = lastItemRect();
@@ -70,7 +70,7 @@ void formatRow(PanelContext& context, ExportRequest& choice) {
 
 void fileRow(PanelContext& context, ExportRequest& choice) {
   beginRow(context, "File");
-  const std::string hint = "a free name " + std::string(choice.format->ending);
+  const std::string hint = context.texts("a free name {}", choice.format->ending);
   ImGui::InputTextWithHint("##export.file", hint.c_str(), &choice.file);
   context.buttons["export.file"] = lastItemRect();
   explainItem(context, "export.file",
@@ -96,7 +96,8 @@ void timeRows(PanelContext& context, ExportRequest& choice) {
       segments(context, "export.start", starts, static_cast<std::size_t>(choice.start)));
   beginRow(context, "Seconds");
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float words = ImGui::CalcTextSize("to").x + 2.0F * gap;
+  const std::string to = context.texts("to");
+  const float words = ImGui::CalcTextSize(to.c_str()).x + 2.0F * gap;
   const float width = 0.5F * (ImGui::CalcItemWidth() - words);
   ImGui::SetNextItemWidth(width);
   numberField(context, "export.from", choice.from, 0.0, longestExport);
@@ -104,7 +105,7 @@ void timeRows(PanelContext& context, ExportRequest& choice) {
               "The time of the first frame. The scene is simulated from its start, or from the present state, with the "
               "present settings, pins and bodies. The window goes on meanwhile.");
   ImGui::SameLine(0.0F, gap);
-  ImGui::TextUnformatted("to");
+  ImGui::TextUnformatted(to.c_str());
   ImGui::SameLine(0.0F, gap);
   ImGui::SetNextItemWidth(width);
   numberField(context, "export.to", choice.to, 0.0, longestExport);
@@ -171,13 +172,15 @@ void exportRows(PanelContext& context) {
 void exportNotice(PanelContext& context, OverlayStack& stack) {
   const ExportProgress& progress = *context.stats.exporting;
   stack.begin("export");
-  std::string words = fmt::format("Writing {}: {:.0f} %", progress.file, std::floor(100.0 * progress.share));
-  if (progress.secondsLeft >= 0.0) {
-    words += ", " + text::formatMinutes(progress.secondsLeft) + " left";
-  }
+  const std::string percent = fmt::format("{:.0f}", std::floor(100.0 * progress.share));
+  const std::string words = progress.secondsLeft < 0.0
+                                ? context.texts("Writing {}: {} %", progress.file, percent)
+                                : context.texts("Writing {}: {} %, {} left", progress.file, percent,
+                                                text::formatMinutes(progress.secondsLeft));
   ImGui::TextUnformatted(words.c_str());
   stack.progressBar(progress.share);
-  if (iconButton(context, "cancel_export", Icon::None, "Cancel", 5.0F * ImGui::GetFontSize())) {
+  if (iconButton(context, "cancel_export", Icon::None, "Cancel",
+                 widthOfButton(context, "Cancel", 5.0F * ImGui::GetFontSize()))) {
     context.output.requests.emplace_back(UiAction::CancelExport);
   }
   stack.end();

@@ -28,9 +28,9 @@ constexpr double arrivalTime = 1.0;  // until a choice that does not arrive is f
 /// A number of a figure, as a row shows it.
 struct FigureNumber {
   std::string key;
-  std::string title;
+  Wording title;
   std::string unit;
-  std::string help;
+  Wording help;
   SliderRange range;
   double value = 0.0;
   double sceneValue = 0.0;
@@ -59,7 +59,7 @@ SliderInput sliderOf(const FigureNumber& number) {
   const auto typed = [&number, nearest](const std::string& text) {
     const auto value = text::parseNumber(text);
     if (!value || !std::isfinite(*value)) {
-      throw messages::UsageError(number.title + " must be a number, not '" + text + "'");
+      throw messages::UsageError(number.title.english() + " must be a number, not '" + text + "'");
     }
     return nearest(*value);
   };
@@ -69,11 +69,12 @@ SliderInput sliderOf(const FigureNumber& number) {
 void explain(const PanelContext& context, const FigureNumber& number, const UiRect& row) {
   const std::string format = numberFormat("%.4g", number.unit);
   beginExplanation(context, &row);
-  ImGui::TextWrapped("%s", number.help.c_str());
+  ImGui::TextWrapped("%s", context.texts(number.help).c_str());
   ImGui::Spacing();
-  mutedText("Range: " + fmt::sprintf(format, number.range.min) + " to " + fmt::sprintf(format, number.range.max));
-  mutedText("In the scene: " + fmt::sprintf(format, number.sceneValue));
-  mutedText("Ctrl+click types a value. A right click restores the scene's value.");
+  mutedText(
+      context.texts("Range: {} to {}", fmt::sprintf(format, number.range.min), fmt::sprintf(format, number.range.max)));
+  mutedText(context.texts("In the scene: {}", fmt::sprintf(format, number.sceneValue)));
+  mutedText(context.texts("Ctrl+click types a value. A right click restores the scene's value."));
   endExplanation();
 }
 
@@ -100,12 +101,13 @@ void motionRow(PanelContext& context, std::size_t body, const std::string& key, 
                const FigureOptions& inScene) {
   ImGui::PushID(key.c_str());
   const UiRect row = beginRow(context, "Motion", now.motion != inScene.motion);
-  const std::string title(now.motion->title);
+  const std::string title = context.texts(now.motion->title);
   const float width =
       ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
   if (ImGui::BeginCombo("##motion", fitted(title, width).c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const figure::Motion& motion : figure::motions()) {
-      if (ImGui::Selectable(std::string(motion.title).c_str(), &motion == now.motion) && &motion != now.motion) {
+      if (ImGui::Selectable(labelOf(context, motion.title, motion.name).c_str(), &motion == now.motion) &&
+          &motion != now.motion) {
         FigureOptions changed = now;
         changed.motion = &motion;
         choose(context, body, changed);
@@ -152,13 +154,14 @@ std::string withCapital(std::string_view word) {
 void measureRow(PanelContext& context, std::size_t body, const std::string& name, const figure::ProportionInfo& measure,
                 const FigureOptions& now, const FigureOptions& inScene, const figure::Proportions& built) {
   const double asBuilt = (built.*measure.value).value_or(measure.min);
-  const FigureNumber number{name + "." + std::string(measure.key),
-                            withCapital(measure.key),
-                            "m",
-                            withCapital(measure.title) + ". The figure takes this size within a second.",
-                            {measure.min, measure.max, false},
-                            (now.proportions.*measure.value).value_or(asBuilt),
-                            (inScene.proportions.*measure.value).value_or(asBuilt)};
+  const FigureNumber number{
+      name + "." + std::string(measure.key),
+      withCapital(measure.key),
+      "m",
+      text::Sentence("{}. The figure takes this size within a second.", text::Sentence(withCapital(measure.title))),
+      {measure.min, measure.max, false},
+      (now.proportions.*measure.value).value_or(asBuilt),
+      (inScene.proportions.*measure.value).value_or(asBuilt)};
   if (const std::optional<double> changed = numberRow(context, number)) {
     FigureOptions next = now;
     next.proportions.*measure.value =

@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace drape::ui {
@@ -36,7 +37,7 @@ class GizmoPicture {
 class Gizmo {
  public:
   /// @param middle of the thing [m]  @param scale of lengths on the screen
-  Gizmo(PlacingTool tool, const Vec3& middle, double scale) : tool_(tool), middle_(middle), scale_(scale) {}
+  Gizmo(PlacingTool tool, Vec3 middle, double scale) : tool_(tool), middle_(std::move(middle)), scale_(scale) {}
 
   [[nodiscard]] const Vec3& middle() const { return middle_; }
 

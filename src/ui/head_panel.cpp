@@ -7,15 +7,15 @@
 namespace drape::ui {
 namespace {
 
-std::string titleOf(const std::string& title, const std::string& name) {
-  return title.empty() ? name : title;
+std::string titleOf(const PanelContext& context, const std::string& title, const std::string& name) {
+  return title.empty() ? name : context.texts(title);
 }
 
 /// The list of built-in scenes.
 void otherScenes(PanelContext& context) {
   for (const scene::SceneInfo& scene : context.memory.scenes) {
     ImGui::PushID(scene.name.c_str());
-    if (ImGui::Selectable(titleOf(scene.title, scene.name).c_str(),
+    if (ImGui::Selectable((titleOf(context, scene.title, scene.name) + "###scene").c_str(),
                           scene.name == context.snapshot.scene->description.name)) {
       context.output.requests.emplace_back(OpenSceneRequest{scene.name});
     }
@@ -23,7 +23,7 @@ void otherScenes(PanelContext& context) {
     context.buttons["scene.choice=" + scene.name] = row;
     if (ImGui::IsItemHovered() && hoveredLongEnough(context, "scene.choice=" + scene.name)) {
       beginExplanation(context, &row);
-      ImGui::TextWrapped("%s", scene.help.c_str());
+      ImGui::TextWrapped("%s", context.texts(scene.help).c_str());
       endExplanation();
     }
     ImGui::PopID();
@@ -38,7 +38,7 @@ void sceneChoice(PanelContext& context) {
   ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.0F, 0.0F, 0.0F, 0.0F));
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   const bool open =
-      ImGui::BeginCombo("##scene", titleOf(running.title, running.name).c_str(), ImGuiComboFlags_HeightLarge);
+      ImGui::BeginCombo("##scene", titleOf(context, running.title, running.name).c_str(), ImGuiComboFlags_HeightLarge);
   ImGui::PopStyleColor(2);
   if (open) {
     ImGui::PushFont(context.fonts.regular);
@@ -49,7 +49,7 @@ void sceneChoice(PanelContext& context) {
   ImGui::PopFont();
   if (!open) {
     context.buttons["scene.choice"] = lastItemRect();
-    explainItem(context, "scene.choice", running.help + " Click for other scenes.");
+    explainItem(context, "scene.choice", text::Sentence("{} Click for other scenes.", text::Sentence(running.help)));
   }
 }
 

@@ -172,7 +172,7 @@ bool InteractionController::select(UiAction action, const session::Snapshot& sna
   const std::vector<int>& vertices = selection_.vertices();
   const auto pin = [&](bool pinned) {
     if (vertices.empty()) {
-      output.hint = "No vertices are selected: B selects by a rectangle, L a border";
+      output.hint = text::Sentence("No vertices are selected: B selects by a rectangle, L a border");
     } else {
       output.commands.emplace_back(pinsWith(snapshot, vertices, pinned));
     }

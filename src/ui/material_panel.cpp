@@ -8,17 +8,19 @@
 
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+
 namespace drape::ui {
 namespace {
 
 using Place = SaveFabricRequest::Place;
 
-float buttonWidth(const char* word) {
-  return ImGui::CalcTextSize(word).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+float buttonWidth(const PanelContext& context, const char* word) {
+  return ImGui::CalcTextSize(context.texts(word).c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-bool smallButton(PanelContext& context, const std::string& name, const char* word, const std::string& help) {
-  const bool pressed = ImGui::Button(word);
+bool smallButton(PanelContext& context, const std::string& name, const char* word, const Wording& help) {
+  const bool pressed = ImGui::Button(labelOf(context, word, name).c_str());
   context.buttons["button." + name] = lastItemRect();
   explainItem(context, "button." + name, help);
   return pressed;
@@ -34,7 +36,7 @@ void requestSave(PanelContext& context, Place place) {
   try {
     settings::requireAllowed(fabric);
   } catch (const messages::UsageError& error) {
-    context.output.hint = std::string("The fabric is not saved: ") + error.what();
+    context.output.hint = text::Sentence("The fabric is not saved: {}", error.what());
     return;
   }
   context.output.requests.emplace_back(SaveFabricRequest{std::move(fabric), place});
@@ -45,26 +47,27 @@ void requestSave(PanelContext& context, Place place) {
 void fabricRows(PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
   if (snapshot.scene->cloths.size() > 1) {
-    factRow(context, "Cloths", scene::fabricsInWords(snapshot.scene->cloths, context.settings));
+    factRow(context, "Cloths", context.texts(scene::fabricsInWords(snapshot.scene->cloths, context.settings)));
   }
-  factRow(context, "Warp", scene::warpInWords(snapshot.scene->cloths, context.settings));
-  if (const std::string note = scene::warpNote(snapshot.scene->cloths, context.settings); !note.empty()) {
-    mutedText("Note: " + note + ".", palette().warning);
+  factRow(context, "Warp", context.texts(scene::warpInWords(snapshot.scene->cloths, context.settings)));
+  if (const text::Sentence note = scene::warpNote(snapshot.scene->cloths, context.settings); !note.empty()) {
+    mutedText(context.texts("Note: {}.", note), palette().warning);
   }
   if (snapshot.model->fabric && snapshot.model->fabric->meshStrain) {
-    factRow(context, "Rest shape",
-            scene::restShapeInWords(*snapshot.model, snapshot.scene->cloths.front().uvs, context.settings));
-    if (const std::string note =
+    factRow(
+        context, "Rest shape",
+        context.texts(scene::restShapeInWords(*snapshot.model, snapshot.scene->cloths.front().uvs, context.settings)));
+    if (const text::Sentence note =
             scene::restShapeNote(*snapshot.model, snapshot.scene->cloths.front().uvs, context.settings);
         !note.empty()) {
-      mutedText("Warning: " + note + ".", palette().warning);
+      mutedText(context.texts("Warning: {}.", note), palette().warning);
     }
   }
   if (snapshot.model->fabric && snapshot.model->fabric->slivers > 0) {
-    factRow(context, "Slivers",
-            text::formatCount(snapshot.model->fabric->slivers) + " of " +
-                text::formatCount(static_cast<int>(snapshot.model->triangles.size())) +
-                " triangles have a lowered stiffness");
+    factRow(
+        context, "Slivers",
+        context.texts("{} of {} triangles have a lowered stiffness", text::formatCount(snapshot.model->fabric->slivers),
+                      text::formatCount(static_cast<int>(snapshot.model->triangles.size()))));
   }
 }
 
@@ -76,12 +79,13 @@ void saveFabricRow(PanelContext& context) {
   const char* intoScene = "In scene";
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   beginRow(context, "Save fabric as");
-  float buttons = buttonWidth("Replace") + gap;
+  float buttons = std::max(buttonWidth(context, "Replace"), buttonWidth(context, "Save")) + gap;
   if (hasSceneFile(context)) {
-    buttons += buttonWidth(intoScene) + gap;
+    buttons += buttonWidth(context, intoScene) + gap;
   }
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
-  const bool entered = ImGui::InputTextWithHint("##fabric", "name", &name, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##fabric", context.texts("name").c_str(), &name, ImGuiInputTextFlags_EnterReturnsTrue);
   context.buttons["fabric.name"] = lastItemRect();
   explainItem(context, "fabric.name",
               "Saves the present values of the fabric under a name. The list of fabrics above then has it.");
@@ -92,8 +96,8 @@ void saveFabricRow(PanelContext& context) {
   if (hasSceneFile(context)) {
     ImGui::SameLine(0.0F, gap);
     if (smallButton(context, "save_fabric_in_scene", intoScene,
-                    "Saves the fabric in the file " + context.snapshot.scene->description.parts.scene +
-                        ", so that it travels with the scene.")) {
+                    text::Sentence("Saves the fabric in the file {}, so that it travels with the scene.",
+                                   context.snapshot.scene->description.parts.scene))) {
       requestSave(context, Place::Scene);
     }
   }

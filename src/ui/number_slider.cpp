@@ -76,12 +76,14 @@ void paint(const PanelContext& context, const SliderInput& input, const settings
   }
   const float half = 1.5F * context.scale;
   const float handle = std::clamp(low.x + width * static_cast<float>(place), low.x + half, high.x - half);
-  canvas.AddRectFilled({handle - half, low.y}, {handle + half, high.y},
-                       ImGui::GetColorU32(active ? palette().text : palette().accent), half);
   const std::string text = fmt::sprintf(input.format, asNumber(value));
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  canvas.AddText({high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y},
-                 ImGui::GetColorU32(palette().text), text.c_str());
+  const ImVec2 at{high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y};
+  // Where the handle meets the number, only its foot is drawn, so that the number can be read.
+  const float top = handle + half < at.x ? low.y : std::min(at.y + size.y, high.y - half);
+  canvas.AddRectFilled({handle - half, top}, {handle + half, high.y},
+                       ImGui::GetColorU32(active ? palette().text : palette().accent), half);
+  canvas.AddText(at, ImGui::GetColorU32(palette().text), text.c_str());
 }
 
 Edit typing(PanelContext& context, const SliderInput& input, const settings::SettingValue& value) {
@@ -101,7 +103,7 @@ Edit typing(PanelContext& context, const SliderInput& input, const settings::Set
       edit.value = input.typed(typed.text);
       edit.changed = edit.value != value;
     } catch (const messages::UsageError& error) {
-      context.output.hint = error.what();
+      context.output.hint = text::Sentence::verbatim(error.what());
     }
   }
   typed = {};
@@ -143,16 +145,18 @@ std::string numberFormat(std::string_view digits, std::string_view unit) {
   return format;
 }
 
-SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings) {
+SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings,
+                     const text::Catalogue& texts) {
+  const std::string unit = info.unit == "-" ? std::string(info.unit) : texts(unitInWords(info.unit));
   SliderInput input{.key = std::string(info.key),
                     .range = {},
-                    .format = numberFormat("%.4g", info.unit),
+                    .format = numberFormat("%.4g", unit),
                     .nearest = [&](double value) { return allowedValue(info, settings, value); },
                     .typed = [&](const std::string& text) { return typedValue(info, settings, text); }};
   if (const auto* integer = std::get_if<settings::IntegerField>(&info.field)) {
     constexpr int many = 32;  // above this the slider is logarithmic
     input.range = {static_cast<double>(integer->min), static_cast<double>(integer->max), integer->max > many};
-    input.format = numberFormat("%.0f", info.unit);
+    input.format = numberFormat("%.0f", unit);
   } else {
     input.range =
         commonRange(std::get<settings::NumberField>(info.field), std::get<double>(settings::defaultValue(info)));

@@ -29,7 +29,8 @@ struct SliderInput {
 
 /// The slider of a number or an integer of the table. Its values are allowed together with the other `settings`. Keeps
 /// references to both arguments.
-[[nodiscard]] SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings);
+[[nodiscard]] SliderInput sliderOf(const settings::SettingInfo& info, const settings::Settings& settings,
+                                   const text::Catalogue& texts = text::Catalogue());
 
 /// Draws the slider. Ctrl+click turns it into a text field, which takes all allowed values in the notations of the
 /// command line ("1/150"). A number beyond the range becomes the nearest allowed one. It replaces ImGui's slider, which

@@ -99,7 +99,7 @@ void endCorner() {
   popStyle();
 }
 
-void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title) {
+void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const Wording& title) {
   const float padding = 18.0F * context.scale;
   const std::string window = "dialog." + name;
   placeDialog(view, window.c_str());
@@ -108,7 +108,7 @@ void beginDialog(PanelContext& context, const UiRect& view, const std::string& n
   ImGui::PushTextWrapPos(ImGui::GetIO().DisplaySize.x - padding);
   remember(context, "overlay." + name);
   ImGui::PushFont(context.fonts.title);
-  ImGui::TextUnformatted(title.c_str());
+  ImGui::TextUnformatted(context.texts(title).c_str());
   ImGui::PopFont();
   ImGui::Spacing();
 }

@@ -51,7 +51,7 @@ void endCorner();
 
 /// Opens a box in the middle of the picture, with a title, and stores its rectangle as "overlay.NAME". endDialog()
 /// closes it.
-void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const std::string& title);
+void beginDialog(PanelContext& context, const UiRect& view, const std::string& name, const Wording& title);
 void endDialog();
 
 /// Whether a click hit the picture, not the open dialog. Call it before endDialog().

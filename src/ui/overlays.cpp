@@ -6,18 +6,21 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace drape::ui {
 namespace {
 
+/// A row of the help, in the language of the window.
 struct HelpRow {
-  std::string_view keys;
-  std::string_view help;
+  std::string keys;
+  std::string help;
 };
 
-constexpr std::array<HelpRow, 10> mouseHelp{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> mouseTable{{
     {"Drag the cloth", "pull it"},
     {"Ctrl + drag", "pull it, and never turn the view"},
     {"Drag a body", "move it"},
@@ -30,27 +33,52 @@ constexpr std::array<HelpRow, 10> mouseHelp{{
     {"Click the line below", "show the solver and its cost"},
 }};
 
-void helpTable(float scale, const char* title, std::span<const HelpRow> rows) {
-  mutedText(title, palette().accent);
+/// Wide enough for all of them.
+float widthOfKeys(const PanelContext& context, std::span<const HelpRow> rows) {
+  float widest = 160.0F * context.scale;
+  for (const HelpRow& row : rows) {
+    widest = std::max(widest, ImGui::CalcTextSize(row.keys.c_str()).x);
+  }
+  return widest;
+}
+
+float widthOfTable(const PanelContext& context, std::span<const HelpRow> rows) {
+  float widest = 0.0F;
+  for (const HelpRow& row : rows) {
+    widest = std::max(widest, ImGui::CalcTextSize(row.help.c_str()).x);
+  }
+  return widthOfKeys(context, rows) + ImGui::GetStyle().ItemSpacing.x + widest;
+}
+
+void helpTable(const PanelContext& context, const char* title, std::span<const HelpRow> rows) {
+  mutedText(context.texts(title), palette().accent);
   if (ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoHostExtendX)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 160.0F * scale);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, widthOfKeys(context, rows));
     for (const HelpRow& row : rows) {
       ImGui::TableNextColumn();
-      ImGui::TextUnformatted(row.keys.data(), row.keys.data() + row.keys.size());
+      ImGui::TextUnformatted(row.keys.c_str());
       ImGui::TableNextColumn();
       ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-      ImGui::TextUnformatted(row.help.data(), row.help.data() + row.help.size());
+      ImGui::TextUnformatted(row.help.c_str());
       ImGui::PopStyleColor();
     }
     ImGui::EndTable();
   }
 }
 
-std::vector<HelpRow> keyHelp() {
+std::vector<HelpRow> mouseHelp(const text::Catalogue& texts) {
+  std::vector<HelpRow> rows;
+  for (const auto& [keys, help] : mouseTable) {
+    rows.push_back({texts(keys), texts(help)});
+  }
+  return rows;
+}
+
+std::vector<HelpRow> keyHelp(const text::Catalogue& texts) {
   std::vector<HelpRow> rows;
   for (const Shortcut& shortcut : shortcuts()) {
     if (!shortcut.keys.empty()) {
-      rows.push_back({shortcut.keys, shortcut.help});
+      rows.push_back({keysInWords(shortcut.keys, texts), texts(shortcut.help)});
     }
   }
   return rows;
@@ -65,10 +93,13 @@ constexpr const char* panelHelp =
 bool helpOverlay(PanelContext& context, const UiRect& view) {
   beginDialog(context, view, "help", "Keys and mouse");
   // Side by side where the window is wide enough; below each other, the lists may have to scroll.
+  const std::vector<HelpRow> mouse = mouseHelp(context.texts);
+  const std::vector<HelpRow> keys = keyHelp(context.texts);
   constexpr float wide = 960.0F;  // at scale 1
-  const bool isWide = ImGui::GetIO().DisplaySize.x > wide * context.scale;
+  const float tables = widthOfTable(context, mouse) + widthOfTable(context, keys) + 66.0F * context.scale;
+  const bool isWide = ImGui::GetIO().DisplaySize.x > std::max(wide * context.scale, tables);
   ImGui::BeginGroup();
-  helpTable(context.scale, "Mouse", mouseHelp);
+  helpTable(context, "Mouse", mouse);
   ImGui::EndGroup();
   if (isWide) {
     ImGui::SameLine(0.0F, 30.0F * context.scale);
@@ -76,11 +107,11 @@ bool helpOverlay(PanelContext& context, const UiRect& view) {
     ImGui::Spacing();
   }
   ImGui::BeginGroup();
-  helpTable(context.scale, "Keys", keyHelp());
+  helpTable(context, "Keys", keys);
   ImGui::EndGroup();
   ImGui::Spacing();
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-  ImGui::TextUnformatted(panelHelp);
+  ImGui::TextUnformatted(context.texts(panelHelp).c_str());
   ImGui::PopStyleColor();
   const bool closed = clickedBeside();
   endDialog();
@@ -89,8 +120,9 @@ bool helpOverlay(PanelContext& context, const UiRect& view) {
 
 bool errorNotice(PanelContext& context, OverlayStack& stack) {
   const ImGuiStyle& style = ImGui::GetStyle();
-  const float button = ImGui::CalcTextSize("Close").x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
-  const std::string& text = context.stats.error;
+  const float button =
+      ImGui::CalcTextSize(context.texts("Close").c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+  const std::string text = context.texts(context.stats.error);
   stack.begin("error");
   const float widest = stack.textWidth() - button - style.ScrollbarSize;
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
@@ -103,7 +135,7 @@ bool errorNotice(PanelContext& context, OverlayStack& stack) {
   ImGui::PopStyleColor();
   ImGui::EndChild();
   ImGui::SameLine();
-  const bool closed = ImGui::SmallButton("Close");
+  const bool closed = ImGui::SmallButton(labelOf(context, "Close", "close").c_str());
   context.buttons["button.close"] = lastItemRect();
   stack.end();
   return !closed;
@@ -112,7 +144,7 @@ bool errorNotice(PanelContext& context, OverlayStack& stack) {
 void loadingNotice(PanelContext& context, OverlayStack& stack) {
   const UiStats& stats = context.stats;
   stack.begin("loading");
-  ImGui::TextUnformatted(stats.loading.c_str());
+  ImGui::TextUnformatted(context.texts(stats.loading).c_str());
   if (stats.loadingShare >= 0.0) {
     stack.progressBar(stats.loadingShare);
   }
@@ -122,29 +154,33 @@ void loadingNotice(PanelContext& context, OverlayStack& stack) {
 void dressingNotice(PanelContext& context, OverlayStack& stack) {
   const DressingProgress& progress = *context.stats.dressing;
   stack.begin("dressing");
-  ImGui::TextUnformatted(progress.words.c_str());
+  ImGui::TextUnformatted(context.texts(progress.words).c_str());
   stack.progressBar(progress.share);
-  if (iconButton(context, "cancel_dressing", Icon::None, "Cancel (Esc)", 8.0F * ImGui::GetFontSize())) {
+  if (iconButton(context, "cancel_dressing", Icon::None, "Cancel (Esc)",
+                 widthOfButton(context, "Cancel (Esc)", 8.0F * ImGui::GetFontSize()))) {
     context.output.requests.emplace_back(UiAction::CancelDressing);
   }
   stack.end();
 }
 
-void dragHint(OverlayStack& stack) {
+void dragHint(const PanelContext& context, OverlayStack& stack) {
   stack.begin("drag", OverlayStack::Mouse::LetThrough);
-  ImGui::TextUnformatted("Drag the cloth. F1: help");
+  ImGui::TextUnformatted(context.texts("Drag the cloth. F1: help").c_str());
   stack.end();
 }
 
 bool replaceQuestion(PanelContext& context, const UiRect& view, const std::string& file) {
   beginDialog(context, view, "replace", "Replace the file?");
-  ImGui::TextUnformatted((file + " exists already.").c_str());
+  ImGui::TextUnformatted(context.texts("{} exists already.", file).c_str());
   ImGui::Spacing();
-  const bool replace = iconButton(context, "replace", Icon::None, "Replace (Enter)", 150.0F * context.scale, true) ||
+  const bool replace = iconButton(context, "replace", Icon::None, "Replace (Enter)",
+                                  widthOfButton(context, "Replace (Enter)", 150.0F * context.scale), true) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                        ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
   ImGui::SameLine();
-  const bool keep = iconButton(context, "keep", Icon::None, "Keep (Esc)", 130.0F * context.scale) || clickedBeside();
+  const bool keep = iconButton(context, "keep", Icon::None, "Keep (Esc)",
+                               widthOfButton(context, "Keep (Esc)", 130.0F * context.scale)) ||
+                    clickedBeside();
   if (replace) {
     context.output.requests.emplace_back(SaveSceneRequest{file, true});
   }
@@ -154,14 +190,19 @@ bool replaceQuestion(PanelContext& context, const UiRect& view, const std::strin
 
 bool quitQuestion(PanelContext& context, const UiRect& view) {
   beginDialog(context, view, "quit", "Quit?");
-  ImGui::TextUnformatted(context.stats.exporting ? "The export would stop, and changes of the scene be lost."
-                                                 : "Your changes to this scene would be lost.");
+  ImGui::TextUnformatted(context
+                             .texts(context.stats.exporting ? "The export would stop, and changes of the scene be lost."
+                                                            : "Your changes to this scene would be lost.")
+                             .c_str());
   ImGui::Spacing();
-  const bool quit = iconButton(context, "quit", Icon::None, "Quit (Enter)", 130.0F * context.scale, true) ||
+  const bool quit = iconButton(context, "quit", Icon::None, "Quit (Enter)",
+                               widthOfButton(context, "Quit (Enter)", 130.0F * context.scale), true) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
   ImGui::SameLine();
-  const bool stay = iconButton(context, "stay", Icon::None, "Stay (Esc)", 130.0F * context.scale) || clickedBeside();
+  const bool stay = iconButton(context, "stay", Icon::None, "Stay (Esc)",
+                               widthOfButton(context, "Stay (Esc)", 130.0F * context.scale)) ||
+                    clickedBeside();
   if (quit) {
     context.output.requests.emplace_back(UiAction::QuitAndLoseChanges);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "session/snapshot.hpp"
+#include "text/catalogue.hpp"
 #include "ui/measure_history.hpp"
 #include "ui/pending_settings.hpp"
 #include "ui/picked_vertices.hpp"
@@ -108,7 +109,9 @@ struct PanelContext {
   const settings::Settings& sceneSettings;  ///< the values of the scene, which a right click restores
   const UiStats& stats;
   const UiFonts& fonts;
-  float scale;  ///< of all lengths
+  const text::Catalogue& texts;  ///< translates what is drawn
+  const std::string& language;   ///< the name of its language
+  float scale;                   ///< of all lengths
   Theme theme;
   PanelMemory& memory;
   UiRects& widgets;  ///< receives the rectangles of the settings, by key

@@ -38,8 +38,9 @@ void meshRows(PanelContext& context);
 /// The rows of the section Scene for the motion and the proportions of figures; nothing without a figure.
 void figureRows(PanelContext& context);
 
-/// The row of the section View that chooses the theme.
+/// The rows of the section View that choose the theme and the language.
 void themeRow(PanelContext& context);
+void languageRow(PanelContext& context);
 
 /// The list of files that were opened before; nothing while there are none.
 void recentFilesRow(PanelContext& context);
@@ -104,7 +105,7 @@ float timelineBar(PanelContext& context, const UiRect& view);
 void pickedPanel(PanelContext& context, const UiRect& view);
 
 /// The hint for a new user.
-void dragHint(OverlayStack& stack);
+void dragHint(const PanelContext& context, OverlayStack& stack);
 
 /// The open questions, one line each until the user answers: how a mesh file was read, pins on all vertices or none,
 /// overstretched cloth, and a body that passes through the cloth. Each line has a button for the remedy and one that

@@ -77,14 +77,14 @@ void historyPlot(const PanelContext& context, const History& history) {
     canvas.PathLineTo(place(i));
   }
   canvas.PathStroke(ImGui::GetColorU32(palette().accent), ImDrawFlags_None, 1.5F * context.scale);
-  const std::string legend = "step time, peak " + text::formatDuration(static_cast<double>(top) * 1e-3);
+  const std::string legend = context.texts("step time, peak {}", text::formatDuration(static_cast<double>(top) * 1e-3));
   canvas.AddText({low.x + 6.0F * context.scale, low.y + 2.0F * context.scale}, ImGui::GetColorU32(palette().muted),
                  legend.c_str());
 }
 
 void performanceRows(PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
-  valueRow(context, "Frame", text::formatDuration(context.stats.frameSeconds));
+  valueRow(context, "picture|Frame", text::formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", text::formatDuration(snapshot.stepSeconds));
   if (snapshot.stepReport.contact.bodySeconds > 0.0) {
     valueRow(context, "Part of the bodies", text::formatDuration(snapshot.stepReport.contact.bodySeconds));
@@ -92,7 +92,8 @@ void performanceRows(PanelContext& context) {
   if (snapshot.ghost) {
     valueRow(context, "Step of the ghost", text::formatDuration(snapshot.ghost->stepSeconds));
   }
-  valueRow(context, "Pace", describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text);
+  valueRow(context, "Pace", describePace(snapshot, context.texts),
+           isTooSlow(snapshot) ? palette().warning : palette().text);
   valueRow(context, "Largest stretch", text::formatQuantity(snapshot.maxStretch * 100.0, "%"));
   historyPlot(context, context.memory.stepTimes);
   if (snapshot.ghost) {

@@ -20,8 +20,16 @@ ImVec4 colourOf(std::size_t pick) {
   return {colour[0], colour[1], colour[2], 1.0F};
 }
 
-std::string titleOf(const sim::fields::FieldInfo& field) {
-  return std::string(field.title) + " [" + prettyUnit(field.unit) + "]";
+std::string titleOf(const PanelContext& context, const sim::fields::FieldInfo& field) {
+  return context.texts(field.title) + " [" + context.texts(unitInWords(field.unit)) + "]";
+}
+
+float widthOfTitles(const PanelContext& context) {
+  float widest = titleWidth * ImGui::GetTextLineHeight();
+  for (const sim::fields::FieldInfo& field : sim::fields::fieldTable()) {
+    widest = std::max(widest, ImGui::CalcTextSize(titleOf(context, field).c_str()).x);
+  }
+  return widest;
 }
 
 std::string valueText(double value) {
@@ -34,10 +42,10 @@ void rightAligned(const std::string& text) {
   ImGui::TextUnformatted(text.c_str());
 }
 
-void headRow(std::span<const int> vertices) {
+void headRow(const PanelContext& context, std::span<const int> vertices) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  mutedText("Vertex");
+  mutedText(context.texts("Vertex"));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, colourOf(i));
@@ -52,7 +60,8 @@ void fieldRow(PanelContext& context, std::size_t index, const PickedVertices::Sa
   const sim::fields::FieldInfo& field = table[index];
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  if (ImGui::Selectable(titleOf(field).c_str(), context.memory.plotsPicked && context.memory.plottedField == index,
+  if (ImGui::Selectable((titleOf(context, field) + "###" + std::string(field.name)).c_str(),
+                        context.memory.plotsPicked && context.memory.plottedField == index,
                         ImGuiSelectableFlags_SpanAllColumns)) {
     context.memory.plottedField = index;
     context.memory.plotsPicked = true;
@@ -71,11 +80,11 @@ void valueTable(PanelContext& context, const PickedVertices& picked) {
   if (!ImGui::BeginTable("values", static_cast<int>(count) + 1, ImGuiTableFlags_SizingFixedFit)) {
     return;
   }
-  ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthFixed, titleWidth * line);
+  ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthFixed, widthOfTitles(context));
   for (std::size_t i = 0; i < count; ++i) {
     ImGui::TableSetupColumn(std::to_string(i).c_str(), ImGuiTableColumnFlags_WidthFixed, valueWidth * line);
   }
-  headRow(picked.vertices());
+  headRow(context, picked.vertices());
   for (std::size_t f = 0; f < sim::fields::fieldTable().size(); ++f) {
     fieldRow(context, f, picked.samples().back(), count);
   }
@@ -88,13 +97,13 @@ void valuePlot(const PanelContext& context, const PickedVertices& picked) {
   std::vector<PlotSeries> series;
   for (std::size_t i = 0; i < picked.vertices().size(); ++i) {
     PlotSeries& each = series.emplace_back();
-    each.name = "Vertex " + std::to_string(picked.vertices()[i]);
+    each.name = text::Sentence("Vertex {}", picked.vertices()[i]);
     each.colour = colourOf(i);
     for (const PickedVertices::Sample& sample : picked.samples()) {
       each.points.push_back({sample.time, sample.values[i * table.size() + f]});
     }
   }
-  seriesPlot(context, table[f].title, prettyUnit(table[f].unit), series, table[f].neutral != 0.0);
+  seriesPlot(context, table[f].title, context.texts(unitInWords(table[f].unit)), series, table[f].neutral != 0.0);
 }
 
 }  // namespace
@@ -113,7 +122,10 @@ void pickedPanel(PanelContext& context, const UiRect& view) {
     valuePlot(context, picked);
   }
   ImGui::Spacing();
-  const float width = 4.6F * ImGui::GetTextLineHeight();
+  float width = 4.6F * ImGui::GetTextLineHeight();
+  for (const char* word : {"Plot", "No plot", "Write CSV", "Clear"}) {
+    width = widthOfButton(context, word, width);
+  }
   if (iconButton(context, "plot_picked", Icon::None, context.memory.plotsPicked ? "No plot" : "Plot", width)) {
     context.memory.plotsPicked = !context.memory.plotsPicked;
   }

@@ -18,11 +18,11 @@ namespace {
 using sim::contact::BodyMotion;
 using sim::contact::Keyframe;
 
-constexpr double arrivalTime = 1.0;     // until a change that does not arrive is forgotten [s]
-constexpr double shortestTime = 0.001;  // between two keyframes [s]
-constexpr double longestTime = 1e4;     // [s]
-constexpr double farthest = 1e3;        // displacement [m]
-constexpr double mostTurn = 36e3;       // [degrees]
+constexpr double arrivalTime = 1.0;      // until a change that does not arrive is forgotten [s]
+constexpr double minGap = 0.001;         // between two keyframes [s]
+constexpr double maxTime = 1e4;          // [s]
+constexpr double maxDisplacement = 1e3;  // displacement [m]
+constexpr double maxTurn = 36e3;         // [degrees]
 
 /// Numbers that a drag or Ctrl+click changes, with a label at the left.
 struct NumberRow {
@@ -44,7 +44,7 @@ bool numbersChanged(PanelContext& context, const NumberRow& row, float width, do
   const float label = 3.4F * ImGui::GetFontSize();
   const float left = ImGui::GetCursorPosX();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(row.label);
+  ImGui::TextUnformatted(context.texts(row.label).c_str());
   ImGui::SameLine(left + label);
   ImGui::SetNextItemWidth(width - label);
   const std::string id = fmt::format("##keys.{}", row.name);
@@ -86,7 +86,8 @@ void keyButtons(PanelContext& context, const std::vector<Keyframe>& keys, float 
         ImGui::NewLine();
       }
     }
-    if (iconButton(context, fmt::format("key.{}", i), Icon::None, word, needed, i == context.memory.chosenKey)) {
+    if (iconButton(context, fmt::format("key.{}", i), Icon::None, text::Sentence::verbatim(word), needed,
+                   i == context.memory.chosenKey)) {
       context.memory.chosenKey = i;
     }
   }
@@ -96,13 +97,13 @@ void keyButtons(PanelContext& context, const std::vector<Keyframe>& keys, float 
 bool keyRows(PanelContext& context, std::vector<Keyframe>& keys, float width) {
   const std::size_t chosen = context.memory.chosenKey;
   Keyframe& key = keys[chosen];
-  const double earliest = chosen == 0 ? 0.0 : keys[chosen - 1].time + shortestTime;
-  const double latest = chosen + 1 == keys.size() ? longestTime : keys[chosen + 1].time - shortestTime;
+  const double earliest = chosen == 0 ? 0.0 : keys[chosen - 1].time + minGap;
+  const double latest = chosen + 1 == keys.size() ? maxTime : keys[chosen + 1].time - minGap;
   Vec3 degrees = key.rotation / scene::degree;
   bool changed =
       numbersChanged(context, timeRow, width, &key.time, 1, std::min(earliest, key.time), std::max(latest, key.time));
-  changed |= numbersChanged(context, moveRow, width, key.position.data(), 3, -farthest, farthest);
-  if (numbersChanged(context, turnRow, width, degrees.data(), 3, -mostTurn, mostTurn)) {
+  changed |= numbersChanged(context, moveRow, width, key.position.data(), 3, -maxDisplacement, maxDisplacement);
+  if (numbersChanged(context, turnRow, width, degrees.data(), 3, -maxTurn, maxTurn)) {
     key.rotation = degrees * scene::degree;
     changed = true;
   }
@@ -115,7 +116,7 @@ bool keyActions(PanelContext& context, BodyMotion& motion, float width) {
   const float third = (width - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
   bool loop = motion.loop;
   ImGui::BeginDisabled(motion.keyframes.size() < 2);
-  if (ImGui::Checkbox("Loop", &loop)) {
+  if (ImGui::Checkbox(labelOf(context, "Loop", "keys.loop").c_str(), &loop)) {
     motion.loop = loop;
     changed = true;
   }
@@ -146,7 +147,7 @@ void pinKeyRows(PanelContext& context, const std::vector<int>& selected, float w
   if (pins.empty()) {
     return;
   }
-  const std::string word = fmt::format("Keyframe at {:.3f} s", context.snapshot.time);
+  const text::Sentence word("Keyframe at {} s", fmt::format("{:.3f}", context.snapshot.time));
   if (iconButton(context, "add_key", Icon::None, word, width)) {
     const session::SetPinPathsCommand command = withKeyframeHere(context.snapshot, pins);
     const std::vector<Keyframe>& keys = command.paths.back().motion.keyframes;

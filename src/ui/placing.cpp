@@ -6,7 +6,7 @@
 namespace drape::ui {
 namespace {
 
-constexpr double farthest = 100.0;  // coordinate of the middle of a thing that is dragged [m]
+constexpr double maxDistance = 100.0;  // coordinate of the middle of a thing that is dragged [m]
 
 /// The corners of a box, in the order of three bits.
 std::array<Vec3, 8> cornersOf(const Eigen::AlignedBox3d& box) {
@@ -44,7 +44,7 @@ scene::Placement changed(const scene::Placement& from, const GizmoChange& change
                          const Vec3& middle) {
   switch (tool) {
     case PlacingTool::Move:
-      return movedTo(from, middle, (from.applied(middle) + change.move).cwiseMax(-farthest).cwiseMin(farthest));
+      return movedTo(from, middle, (from.applied(middle) + change.move).cwiseMax(-maxDistance).cwiseMin(maxDistance));
     case PlacingTool::Turn:
       return turnedAbout(from, middle, Eigen::Quaterniond(Eigen::AngleAxisd(change.angle, change.axis)));
     case PlacingTool::Scale:

@@ -38,7 +38,7 @@ struct PlacingEdit {
 
 /// Of what is in the box [window units].
 float boxWidth() {
-  return 20.0F * ImGui::GetFontSize();
+  return 18.0F * ImGui::GetFontSize();
 }
 
 void ask(PanelContext& context, PlacingRequest request) {
@@ -95,7 +95,7 @@ std::optional<Vec3> vectorRow(PanelContext& context, const char* title, const Pl
                               PlacingEdit& edit) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float width = (boxWidth() - 2.0F * gap) / 3.0F;
-  mutedText(title);
+  mutedText(context.texts(title));
   std::optional<Vec3> changed;
   for (int axis = 0; axis < 3; ++axis) {
     const char* name = axisNames[static_cast<std::size_t>(axis)];
@@ -105,8 +105,8 @@ std::optional<Vec3> vectorRow(PanelContext& context, const char* title, const Pl
     number.value = value[axis];
     const PlacingEdit one = numberField(context, number, width);
     explainItem(context, number.key,
-                fmt::format("{}. Drag, or Ctrl+click and type: {} to {}{}.", number.title, number.min, number.max,
-                            number.unit));
+                text::Sentence("{} {}. Drag, or Ctrl+click and type: {} to {}{}.", text::Sentence(common.title), name,
+                               fmt::format("{}", number.min), fmt::format("{}", number.max), number.unit));
     if (one.value) {
       changed = value;
       (*changed)[axis] = *one.value;
@@ -139,7 +139,7 @@ void rotationRow(PanelContext& context, const PlacingView& placing) {
   PlacingEdit edit;
   const auto changed =
       vectorRow(context, "Rotation, axis times angle [degrees]",
-                {"placing.rotation", "Rotation", "%.1f", " degrees", {-half, half, false}, -whole, whole, 0.0},
+                {"placing.rotation", "Rotation", "%.1f", " \u00B0", {-half, half, false}, -whole, whole, 0.0},
                 placing.placement.rotation, edit);
   std::optional<scene::Placement> placement;
   if (changed) {
@@ -149,10 +149,10 @@ void rotationRow(PanelContext& context, const PlacingView& placing) {
 }
 
 void scaleRow(PanelContext& context, const PlacingView& placing) {
-  mutedText("Scale");
+  mutedText(context.texts("Scale"));
   const std::string refusal = scene::whyNotScaled(context.snapshot.scene->description, placing.thing);
   if (!refusal.empty()) {
-    ImGui::TextUnformatted(refusal.c_str());
+    ImGui::TextUnformatted(context.texts(refusal).c_str());
     return;
   }
   const PlacingEdit edit = numberField(context,
@@ -180,13 +180,14 @@ void thingRow(PanelContext& context, const PlacingView& placing) {
   const std::vector<scene::Placeable> things = scene::placeablesOf(description);
   const std::string name = scene::nameOf(description, placing.thing);
   if (things.size() == 1) {
-    ImGui::TextUnformatted(("Place the " + name).c_str());
+    ImGui::TextUnformatted(context.texts("Place {}", name).c_str());
     return;
   }
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Place");
+  const std::string place = context.texts("Place");
+  ImGui::TextUnformatted(place.c_str());
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(boxWidth() - ImGui::CalcTextSize("Place").x - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetNextItemWidth(boxWidth() - ImGui::CalcTextSize(place.c_str()).x - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::BeginCombo("##thing", name.c_str())) {
     for (const scene::Placeable& thing : things) {
       const std::string each = scene::nameOf(description, thing);
@@ -250,12 +251,12 @@ void placingBox(PanelContext& context, const UiRect& view) {
   const PlacingView& placing = *context.stats.placing;
   drawGizmo(context, placing, view);
   const float margin = 12.0F * context.scale;
-  beginCorner(context, "overlay.placing", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
-              {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
+  const ImVec2 at{static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin};
+  beginCorner(context, "overlay.placing", at, {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
   thingRow(context, placing);
   toolRow(context, placing);
-  mutedText(helpOf(placing.tool));
+  mutedText(context.texts(helpOf(placing.tool)));
   positionRow(context, placing);
   rotationRow(context, placing);
   scaleRow(context, placing);

@@ -10,11 +10,13 @@
 namespace drape::ui {
 namespace {
 
+using text::Sentence;
+
 /// A change that a line offers.
 struct Offer {
   std::string name;                                ///< of the button: "reading.unit=m"
-  std::string label;                               ///< the text of the button
-  std::string help;                                ///< its effect
+  Wording label;                                   ///< the text of the button
+  Wording help;                                    ///< its effect
   const settings::SettingInfo* setting = nullptr;  ///< that it changes; null: it requests the action
   std::string value = {};
   UiAction action = UiAction::Dress;
@@ -23,19 +25,20 @@ struct Offer {
 /// A line that stays until the user answers it.
 struct Line {
   std::string name;  ///< of its accept button: "reading.accept"
-  std::string text;
+  text::Sentence text;
   ImVec4 colour;
   std::vector<Offer> offers;
-  std::string subject = text;  ///< a line with another subject is another question
+  std::string subject = text.english();  ///< a line with another subject is another question
 };
 
 Line readingLine(const scene::MeshReading& reading) {
   Line line{"reading.accept", scene::inWords(reading), palette().text, {}};
   for (const scene::ReadingAlternative& other : reading.alternatives) {
     const bool unit = other.key == "unit";
-    line.offers.push_back({"reading." + other.key + "=" + other.value, unit ? other.value : other.value + " up",
-                           unit ? "Reads the file in " + scene::unitInWords(other.value) + "."
-                                : "Reads the file with " + other.value + " up.",
+    line.offers.push_back({"reading." + other.key + "=" + other.value,
+                           unit ? Sentence::verbatim(other.value) : Sentence("{} up", other.value),
+                           unit ? Sentence("Reads the file in {}.", scene::unitInWords(other.value))
+                                : Sentence("Reads the file with {} up.", other.value),
                            settings::findSetting(other.key), other.value});
   }
   return line;
@@ -44,7 +47,7 @@ Line readingLine(const scene::MeshReading& reading) {
 Line adviceLine(const std::string& name, const scene::Advice& advice) {
   Line line{name + ".accept", advice.text, palette().warning, {}};
   if (const settings::SettingInfo* setting = settings::findSetting(advice.key)) {
-    line.offers.push_back({name + "." + advice.key, advice.button, "Sets " + advice.key + " to " + advice.value + ".",
+    line.offers.push_back({name + "." + advice.key, advice.button, Sentence("Sets {} to {}.", advice.key, advice.value),
                            setting, advice.value});
   }
   return line;
@@ -52,7 +55,7 @@ Line adviceLine(const std::string& name, const scene::Advice& advice) {
 
 /// A body that passes through the cloth. The numbers change while the cloth moves; the question does not.
 Line piercingLine(const PanelContext& context) {
-  Line line{"pierced.accept", context.stats.piercing->text + ".", palette().warning, {}, "pierced"};
+  Line line{"pierced.accept", Sentence("{}.", context.stats.piercing->text), palette().warning, {}, "pierced"};
   if (hasBodyToDress(context.snapshot)) {
     line.offers.push_back({"pierced.dress", dressWord(context.snapshot), dressHelp});
   }
@@ -90,9 +93,9 @@ settings::SettingValue valueOf(const settings::SettingInfo& setting, const std::
   return settings::settingValue(settings, setting);
 }
 
-bool button(PanelContext& context, const std::string& name, const std::string& label, const std::string& help) {
+bool button(PanelContext& context, const std::string& name, const Wording& label, const Wording& help) {
   ImGui::PushID(name.c_str());
-  const bool pressed = ImGui::SmallButton(label.c_str());
+  const bool pressed = ImGui::SmallButton(labelOf(context, label, name).c_str());
   ImGui::PopID();
   context.buttons[name] = lastItemRect();
   explainItem(context, name, help);
@@ -103,7 +106,7 @@ bool button(PanelContext& context, const std::string& name, const std::string& l
 void drawLine(PanelContext& context, const Line& line, float width, bool beside) {
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   ImGui::PushStyleColor(ImGuiCol_Text, line.colour);
-  ImGui::TextUnformatted(line.text.c_str());
+  ImGui::TextUnformatted(context.texts(line.text).c_str());
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
   if (beside) {
@@ -127,12 +130,12 @@ void drawLine(PanelContext& context, const Line& line, float width, bool beside)
 }
 
 /// The width of the buttons of the widest line [pixels].
-float widthOfButtons(const std::vector<Line>& lines) {
+float widthOfButtons(const PanelContext& context, const std::vector<Line>& lines) {
   const ImGuiStyle& style = ImGui::GetStyle();
   float widest = 0.0F;
   for (const Line& line : lines) {
-    const auto widthOf = [&](const std::string& label) {
-      return ImGui::CalcTextSize(label.c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+    const auto widthOf = [&](const Wording& label) {
+      return ImGui::CalcTextSize(context.texts(label).c_str()).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
     };
     float width = widthOf("OK");
     for (const Offer& offer : line.offers) {
@@ -151,7 +154,7 @@ void readingNotice(PanelContext& context, OverlayStack& stack) {
     return;  // the user has answered, and a scene is being built
   }
   stack.begin("reading");
-  const float textWidth = stack.textWidth() - widthOfButtons(lines);
+  const float textWidth = stack.textWidth() - widthOfButtons(context, lines);
   const bool beside = textWidth > 12.0F * ImGui::GetFontSize();
   for (const Line& line : lines) {
     drawLine(context, line, beside ? textWidth : stack.textWidth(), beside);

@@ -1,6 +1,6 @@
 #include "ui/scene_loader.hpp"
 
-#include "messages/error.hpp"
+#include "messages/sim_error_text.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -13,13 +13,13 @@
 namespace drape::ui {
 namespace {
 
-std::string reasonOf(const std::exception_ptr& failure) {
+text::Sentence reasonOf(const std::exception_ptr& failure) {
   try {
     std::rethrow_exception(failure);
   } catch (const std::bad_alloc&) {
-    return "Not enough memory. Use a smaller mesh or a coarser grid.";
+    return text::Sentence("Not enough memory. Use a smaller mesh or a coarser grid.");
   } catch (const std::exception& error) {
-    return error.what();
+    return messages::sentenceOf(error);
   }
 }
 
@@ -29,15 +29,18 @@ SceneLoader::~SceneLoader() {
   stop_.request_stop();
 }
 
-std::string SceneLoader::activity() const {
+text::Sentence SceneLoader::activity() const {
   const int percent = percent_;
-  const bool shown = percent > 0 && !activity_.empty() && !waiting_;
-  return activity_ + (shown ? ": " + std::to_string(percent) + " %" : activity_.empty() ? "" : " \u2026");
+  if (activity_.empty()) {
+    return {};
+  }
+  return percent > 0 && !waiting_ ? text::Sentence("{}: {} %", activity_, percent)
+                                  : text::Sentence("{} \u2026", activity_);
 }
 
 void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust,
                        const settings::OwnFabrics& own) {
-  submit({.activity = "Opening " + (parts.cloth.empty() ? parts.scene : parts.cloth),
+  submit({.activity = text::Sentence("Opening {}", parts.cloth.empty() ? parts.scene : parts.cloth),
           .build =
               [parts, own, adjust = std::move(adjust)](const io::ImportWatch& watch) {
                 const scene::SceneDescription description = scene::openParts(parts, own);
@@ -49,7 +52,7 @@ void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settin
 }
 
 void SceneLoader::rebuild(const scene::SceneDescription& description, const settings::Settings& settings, Kind kind) {
-  submit({.activity = "Building " + description.name,
+  submit({.activity = text::Sentence("Building {}", description.name),
           .build = [description,
                     settings](const io::ImportWatch& watch) { return scene::buildScene(description, settings, watch); },
           .kind = kind});
@@ -57,7 +60,7 @@ void SceneLoader::rebuild(const scene::SceneDescription& description, const sett
 
 bool SceneLoader::cancel() {
   const bool any = !activity_.empty();
-  activity_.clear();
+  activity_ = {};
   waiting_.reset();
   cancelled_ = running_.valid();
   stop_.request_stop();
@@ -100,7 +103,7 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
   if (std::exchange(cancelled_, false)) {
     outcome.reset();
   }
-  activity_.clear();
+  activity_ = {};
   if (waiting_) {
     // A newer request replaces this result.
     outcome.reset();

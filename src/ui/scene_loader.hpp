@@ -29,7 +29,7 @@ class SceneLoader {
   /// The result of a job: a scene, or the reason of the failure.
   struct Outcome {
     std::shared_ptr<const scene::Scene> scene;
-    std::string error;
+    text::Sentence error;
     Kind kind = Kind::Opened;
   };
 
@@ -53,11 +53,11 @@ class SceneLoader {
   [[nodiscard]] std::optional<Outcome> poll();
 
   /// The running job and its progress, in words; empty when there is none.
-  [[nodiscard]] std::string activity() const;
+  [[nodiscard]] text::Sentence activity() const;
 
  private:
   struct Job {
-    std::string activity;
+    text::Sentence activity;
     std::function<std::shared_ptr<const scene::Scene>(const io::ImportWatch& watch)> build;
     Kind kind = Kind::Opened;
   };
@@ -65,7 +65,7 @@ class SceneLoader {
   void submit(Job job);
   void start(Job job);
 
-  std::string activity_;
+  text::Sentence activity_;
   bool cancelled_ = false;  // whether the running job is cancelled
   std::optional<Job> waiting_;
   std::atomic<int> percent_ = 0;  // of the running job

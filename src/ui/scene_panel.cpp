@@ -23,13 +23,15 @@ bool pathField(PanelContext& context, const PathField& field, std::string& path)
   if (context.memory.revealed.key == field.name && context.memory.revealed.isPending) {
     ImGui::SetKeyboardFocusHere();
   }
-  const float button = ImGui::CalcTextSize(field.button).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float button =
+      ImGui::CalcTextSize(context.texts(field.button).c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemInnerSpacing.x);
-  const bool entered = ImGui::InputTextWithHint("##path", field.hint, &path, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = ImGui::InputTextWithHint("##path", context.texts(field.hint).c_str(), &path,
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
   context.buttons[field.name] = lastItemRect();
   explainItem(context, field.name, field.explanation);
   ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
-  const bool pressed = ImGui::Button(field.button);
+  const bool pressed = ImGui::Button(labelOf(context, field.button, "button").c_str());
   context.buttons[std::string(field.name) + ".button"] = lastItemRect();
   revealRow(context, field.name, row);
   ImGui::PopID();
@@ -78,7 +80,7 @@ void sceneRows(PanelContext& context) {
   saveSceneField(context);
   saveField(context);
   if (!context.snapshot.scene->description.help.empty()) {
-    mutedText(context.snapshot.scene->description.help);
+    mutedText(context.texts(context.snapshot.scene->description.help));
   }
   figureRows(context);
 }
@@ -86,16 +88,10 @@ void sceneRows(PanelContext& context) {
 void meshRows(PanelContext& context) {
   const io::MeshSummary& summary = context.snapshot.scene->summary;
   ImGui::Dummy({0.0F, 2.0F * context.scale});
-  for (const std::string& line : io::describe(summary)) {
-    const std::size_t colon = line.find(':');
-    const std::size_t value = colon == std::string::npos ? colon : line.find_first_not_of(' ', colon + 1);
-    if (value == std::string::npos) {
-      mutedText(line);
-    } else {
-      factRow(context, line.substr(0, colon), line.substr(value));
-    }
+  for (const io::MeshFact& fact : io::factsOf(summary)) {
+    factRow(context, fact.title, context.texts(fact.value));
   }
-  factRow(context, "pinned", text::formatCount(countPins(*context.snapshot.model)) + " vertices");
+  factRow(context, "pinned", context.texts("{} vertices", text::formatCount(countPins(*context.snapshot.model))));
   selectRow(context);
   placeRow(context);
   for (const std::string& warning : summary.warnings) {

@@ -18,7 +18,7 @@ void airRows(PanelContext& context) {
   windDial(context);
   const sim::AirParameters& air = context.settings.step.air;
   if (air.wind.norm() > 0.0 && !air.acts()) {
-    mutedText("Wind has no effect while drag and lift are zero.", palette().warning);
+    mutedText(context.texts("Wind has no effect while drag and lift are zero."), palette().warning);
   }
 }
 
@@ -26,12 +26,13 @@ void airRows(PanelContext& context) {
 void colourMapProblem(PanelContext& context) {
   const fields::ShownField* shown = context.stats.field;
   if (shown != nullptr) {
-    steadyText(context, "colour_map.problem", shown->problem, palette().warning);
+    steadyText(context, "colour_map.problem", context.texts(shown->problem), palette().warning);
   }
 }
 
 void viewButtons(PanelContext& context) {
   themeRow(context);
+  languageRow(context);
   colourMapProblem(context);
   struct ViewButton {
     const char* name;
@@ -40,7 +41,7 @@ void viewButtons(PanelContext& context) {
     const char* help;
   };
   static constexpr std::array<ViewButton, 4> buttons{{
-      {"frame", "Frame", UiAction::FrameCloth, "Moves the camera so that the cloth fills the view (F)."},
+      {"frame", "camera|Frame", UiAction::FrameCloth, "Moves the camera so that the cloth fills the view (F)."},
       {"front", "Front", UiAction::ViewFront, "Looks from the front (1)."},
       {"right", "Right", UiAction::ViewRight, "Looks from the right (3)."},
       {"top", "Top", UiAction::ViewTop, "Looks from above (7)."},
@@ -62,7 +63,7 @@ void viewButtons(PanelContext& context) {
 void ghostRows(PanelContext& context) {
   const sim::SolverInfo* solver = sim::findSolver(context.settings.ghost.solver);
   if (solver == nullptr) {
-    mutedText("A second cloth, in green, moved by another solver. Choose a solver to compare.");
+    mutedText(context.texts("A second cloth, in green, moved by another solver. Choose a solver to compare."));
     return;
   }
   if (const std::optional<session::GhostStatus>& ghost = context.snapshot.ghost) {
@@ -71,7 +72,7 @@ void ghostRows(PanelContext& context) {
     solverRows(context, *solver, session::ghostParameters(context.settings), ghost->stepReport);
   }
   solverHelp(context, *solver);
-  steadyText(context, "ghost.warning", session::ghostWarning(context.settings, *context.snapshot.model),
+  steadyText(context, "ghost.warning", context.texts(session::ghostWarning(context.settings, *context.snapshot.model)),
              palette().warning);
 }
 
@@ -81,8 +82,8 @@ void advancedRows(PanelContext& context) {
     solverRows(context, *solver, context.settings.step, context.snapshot.stepReport);
     solverHelp(context, *solver);
   }
-  steadyText(context, "solver.warning", session::solverWarning(context.settings, *context.snapshot.model),
-             palette().warning);
+  steadyText(context, "solver.warning",
+             context.texts(session::solverWarning(context.settings, *context.snapshot.model)), palette().warning);
 }
 
 bool startsOpen(const PanelContext& /*context*/) {

@@ -66,18 +66,23 @@ void selectionBox(PanelContext& context, const UiRect& view) {
   const float margin = 12.0F * context.scale;
   beginCorner(context, "overlay.selection", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
               {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
-  const float line = ImGui::GetFontSize();
-  ImGui::TextUnformatted(fmt::format("{} selected, {} of them pinned",
-                                     text::formatCount(static_cast<long long>(selection.points.size())),
-                                     selection.pinned)
+  const float gap = ImGui::GetStyle().ItemSpacing.x;
+  float width = (17.0F * ImGui::GetFontSize() - 2.0F * gap) / 3.0F;
+  for (const char* word : {"Pin (P)", "Release", "Done (Esc)"}) {
+    width = widthOfButton(context, word, width);
+  }
+  const float all = 3.0F * width + 2.0F * gap;
+  ImGui::TextUnformatted(context
+                             .texts("{} selected, {} of them pinned",
+                                    text::formatCount(static_cast<long long>(selection.points.size())),
+                                    selection.pinned)
                              .c_str());
   if (selection.mode != SelectionMode::Off) {
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 17.0F * line);
-    mutedText(selection.mode == SelectionMode::Rectangle ? rectangleHelp : borderHelp);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + all);
+    mutedText(context.texts(selection.mode == SelectionMode::Rectangle ? rectangleHelp : borderHelp));
     ImGui::PopTextWrapPos();
   }
-  modeButtons(context, selection.mode, "selection", 17.0F * line);
-  const float width = (17.0F * line - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
+  modeButtons(context, selection.mode, "selection", all);
   if (iconButton(context, "pin_selected", Icon::None, "Pin (P)", width, true)) {
     request(context, UiAction::PinSelected);
   }
@@ -91,7 +96,7 @@ void selectionBox(PanelContext& context, const UiRect& view) {
   if (iconButton(context, "end_selection", Icon::None, "Done (Esc)", width)) {
     request(context, UiAction::EndSelection);
   }
-  pinKeyRows(context, selection.vertices, 17.0F * line);
+  pinKeyRows(context, selection.vertices, all);
   endCorner();
 }
 

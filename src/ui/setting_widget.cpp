@@ -4,6 +4,7 @@
 #include "settings/own_fabrics.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/setting_text.hpp"
+#include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -25,18 +26,27 @@ Edit flagWidget(bool value) {
 /// One choice, as it is shown.
 struct Choice {
   std::string word;
-  std::string title;
-  std::string help;
+  std::string title;  ///< translated
+  text::Sentence help;
 };
 
-std::vector<Choice> choicesOf(const settings::ChoiceField& field, const settings::Settings& settings) {
+/// The meaning of a choice. A choice between solvers has the first sentence of their help, which is translated as a
+/// whole.
+text::Sentence helpOf(const PanelContext& context, const settings::ChoiceField& field, const std::string& word) {
+  const std::string_view help = field.label == nullptr ? std::string_view() : field.label(word).help;
+  const sim::SolverInfo* solver = sim::findSolver(word);
+  return solver != nullptr && !help.empty() && solver->help.starts_with(help)
+             ? text::Sentence::verbatim(shortHelpOf(*solver, context.texts))
+             : text::Sentence(help);
+}
+
+std::vector<Choice> choicesOf(const PanelContext& context, const settings::ChoiceField& field) {
   std::vector<Choice> choices;
   for (const std::string& word : field.choices()) {
-    choices.push_back(
-        {word, settings::choiceTitle(field, word), std::string(field.label == nullptr ? "" : field.label(word).help)});
+    choices.push_back({word, context.texts(settings::choiceTitle(field, word)), helpOf(context, field, word)});
   }
   if (field.ownChoices != nullptr) {
-    for (settings::OwnChoice& own : field.ownChoices(settings)) {
+    for (settings::OwnChoice& own : field.ownChoices(context.settings)) {
       choices.push_back({std::move(own.word), std::move(own.title), std::move(own.help)});
     }
   }
@@ -45,9 +55,10 @@ std::vector<Choice> choicesOf(const settings::ChoiceField& field, const settings
 
 /// The meaning of each choice, beside its entry.
 void explainChoice(const PanelContext& context, const std::string& name, const Choice& choice, const UiRect& row) {
-  if (!choice.help.empty() && ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
+  if (const std::string help = context.texts(choice.help);
+      !help.empty() && ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
     beginExplanation(context, &row);
-    ImGui::TextWrapped("%s", choice.help.c_str());
+    ImGui::TextWrapped("%s", help.c_str());
     endExplanation();
   }
 }
@@ -66,7 +77,7 @@ Edit segmentsWidget(PanelContext& context, const settings::SettingInfo& info, co
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered,
                           ImGui::GetStyleColorVec4(chosen ? ImGuiCol_Button : ImGuiCol_ButtonHovered));
     ImGui::PushStyleColor(ImGuiCol_Text, chosen ? palette().text : palette().muted);
-    if (ImGui::Button(choice.title.c_str(), size) && !chosen) {
+    if (ImGui::Button((choice.title + "###" + choice.word).c_str(), size) && !chosen) {
       edit = {.changed = true, .finished = true, .value = choice.word};
     }
     ImGui::PopStyleColor(3);
@@ -85,13 +96,15 @@ Edit comboWidget(PanelContext& context, const settings::SettingInfo& info, const
   const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.word == value; });
   const float textWidth =
       ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
-  const std::string title = chosen != choices.end() ? chosen->title
-                                                    : settings::shownChoice(std::get<settings::ChoiceField>(info.field),
-                                                                            value, context.settings);
+  const std::string title =
+      chosen != choices.end()
+          ? chosen->title
+          : context.texts(settings::shownChoice(std::get<settings::ChoiceField>(info.field), value, context.settings));
   const std::string shown = fitted(title, textWidth);
   if (ImGui::BeginCombo("##value", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const Choice& choice : choices) {
-      if (ImGui::Selectable(choice.title.c_str(), choice.word == value) && choice.word != value) {
+      if (ImGui::Selectable((choice.title + "###" + choice.word).c_str(), choice.word == value) &&
+          choice.word != value) {
         edit = {.changed = true, .finished = true, .value = choice.word};
       }
       const std::string name = std::string(info.key) + "=" + choice.word;
@@ -107,7 +120,7 @@ Edit comboWidget(PanelContext& context, const settings::SettingInfo& info, const
 /// Up to three short words stand side by side; more of them form a drop-down list.
 Edit choiceWidget(PanelContext& context, const settings::SettingInfo& info, const settings::ChoiceField& field,
                   const std::string& value) {
-  const std::vector<Choice> choices = choicesOf(field, context.settings);
+  const std::vector<Choice> choices = choicesOf(context, field);
   float widest = 0.0F;
   for (const Choice& choice : choices) {
     widest = std::max(widest, ImGui::CalcTextSize(choice.title.c_str()).x);
@@ -124,7 +137,7 @@ Edit fieldWidget(PanelContext& context, const settings::SettingInfo& info, const
   if (const auto* choice = std::get_if<settings::ChoiceField>(&info.field)) {
     return choiceWidget(context, info, *choice, std::get<std::string>(value));
   }
-  return numberSlider(context, sliderOf(info, context.settings), value);
+  return numberSlider(context, sliderOf(info, context.settings, context.texts), value);
 }
 
 /// The value as typed, with few digits for a real number.
@@ -138,21 +151,24 @@ std::string shortValue(const settings::SettingValue& value) {
 
 void explain(const PanelContext& context, const settings::SettingInfo& info, const UiRect& row) {
   beginExplanation(context, &row);
-  ImGui::TextUnformatted(info.title.data(), info.title.data() + info.title.size());
+  const auto line = [&](const Wording& wording) { ImGui::TextWrapped("%s", context.texts(wording).c_str()); };
+  ImGui::TextUnformatted(context.texts(info.title).c_str());
   ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-  ImGui::TextWrapped("%.*s", static_cast<int>(info.help.size()), info.help.data());
+  line(info.help);
   ImGui::Spacing();
-  ImGui::TextWrapped("Range: %s", settings::describeRange(info, context.settings).c_str());
-  ImGui::TextWrapped("In the scene: %s",
-                     withUnit(shortValue(settings::settingValue(context.sceneSettings, info)), info.unit).c_str());
-  ImGui::TextWrapped("Default: %s", withUnit(shortValue(settings::defaultValue(info)), info.unit).c_str());
-  ImGui::TextWrapped("Command line: --set %.*s=%s", static_cast<int>(info.key.size()), info.key.data(),
-                     shortValue(settings::settingValue(context.settings, info)).c_str());
+  const auto valueOf = [&](const settings::SettingValue& value) {
+    return withUnit(text::Sentence::verbatim(shortValue(value)), info.unit);
+  };
+  line(text::Sentence("Range: {}", settings::describeRange(info, context.settings)));
+  line(text::Sentence("In the scene: {}", valueOf(settings::settingValue(context.sceneSettings, info))));
+  line(text::Sentence("Default: {}", valueOf(settings::defaultValue(info))));
+  line(text::Sentence("Command line: --set {}={}", info.key,
+                      shortValue(settings::settingValue(context.settings, info))));
   ImGui::Spacing();
   const bool typed = std::holds_alternative<settings::NumberField>(info.field) ||
                      std::holds_alternative<settings::IntegerField>(info.field);
-  ImGui::TextWrapped("%sA right click restores the scene's value, another one the default.",
-                     typed ? "Ctrl+click types a value. " : "");
+  line(typed ? "Ctrl+click types a value. A right click restores the scene's value, another one the default."
+             : "A right click restores the scene's value, another one the default.");
   ImGui::PopStyleColor();
   endExplanation();
 }
@@ -204,7 +220,7 @@ void changeSetting(PanelContext& context, const settings::SettingInfo& info, con
     }
     context.memory.pending.add(info, value, ImGui::GetTime());
   } catch (const messages::UsageError& error) {
-    context.output.hint = error.what();
+    context.output.hint = text::Sentence::verbatim(error.what());
   }
 }
 

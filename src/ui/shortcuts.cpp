@@ -76,6 +76,21 @@ const Shortcut* findShortcut(Key key, bool control, bool shift) {
   return withControl != nullptr ? withControl : find(false);
 }
 
+std::string keysInWords(std::string_view keys, const text::Catalogue& texts) {
+  std::string words(keys);
+  const auto replace = [&](std::string_view english, const std::string& translation) {
+    for (std::size_t at = words.find(english); at != std::string::npos; at = words.find(english, at)) {
+      words.replace(at, english.size(), translation);
+      at += translation.size();
+    }
+  };
+  replace("Ctrl", texts("key|Ctrl"));
+  replace("Shift", texts("key|Shift"));
+  replace("Space", texts("key|Space"));
+  replace(" to ", ' ' + texts("to") + ' ');
+  return words;
+}
+
 void request(const Shortcut& shortcut, const session::Snapshot& snapshot, UiOutput& output) {
   if (const auto* action = std::get_if<UiAction>(&shortcut.action)) {
     output.requests.emplace_back(*action);

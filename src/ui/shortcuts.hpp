@@ -1,9 +1,11 @@
 #pragma once
 
 #include "session/snapshot.hpp"
+#include "text/catalogue.hpp"
 #include "ui/ui_output.hpp"
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -59,6 +61,9 @@ struct Shortcut {
 
 /// The shortcut of a key, or nullptr. With Ctrl, a key without a shortcut of its own acts as without Ctrl.
 [[nodiscard]] const Shortcut* findShortcut(Key key, bool control = false, bool shift = false);
+
+/// The keys of a shortcut in the language of the window: "Strg+Z".
+[[nodiscard]] std::string keysInWords(std::string_view keys, const text::Catalogue& texts);
 
 /// Adds the command or the action of a shortcut to `output`.
 void request(const Shortcut& shortcut, const session::Snapshot& snapshot, UiOutput& output);

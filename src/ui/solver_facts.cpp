@@ -15,10 +15,10 @@ bool solvesToATolerance(const sim::SolverInfo& solver) {
 
 }  // namespace
 
-std::string describeStepLimit(double limit) {
+std::string describeStepLimit(double limit, const text::Catalogue& texts) {
   constexpr double longStep = 0.5;  // [s]
   if (!std::isfinite(limit)) {
-    return "none";
+    return texts("none");
   }
   if (limit >= longStep) {
     return text::formatQuantity(limit, "s");
@@ -32,21 +32,27 @@ void solverRows(const PanelContext& context, const sim::SolverInfo& solver, cons
   if (solver.stepLimit != nullptr) {
     const double limit = solver.stepLimit(*context.snapshot.model, parameters);
     const bool beyond = parameters.timeStep / parameters.substeps > limit * (1.0 + 1e-9);
-    valueRow(context, "Stability limit", describeStepLimit(limit), beyond ? palette().warning : palette().text);
+    valueRow(context, "Stability limit", describeStepLimit(limit, context.texts),
+             beyond ? palette().warning : palette().text);
   }
   // The row exists from the start, so that the first step does not move the rows below.
   if (report.iterations > 0 || solvesToATolerance(solver)) {
     valueRow(context, "Iterations", text::formatCount(report.iterations));
     if (solvesToATolerance(solver)) {
       const std::string residual = text::formatNumber(report.residual);
-      valueRow(context, "Residual", report.converged ? residual : residual + ", did not converge",
+      valueRow(context, "Residual", report.converged ? residual : context.texts("{}, did not converge", residual),
                report.converged ? palette().text : palette().warning);
     }
   }
 }
 
+std::string shortHelpOf(const sim::SolverInfo& solver, const text::Catalogue& texts) {
+  const std::string help = texts(solver.help);
+  return help.substr(0, help.find(". ") + 1);
+}
+
 void solverHelp(const PanelContext& context, const sim::SolverInfo& solver) {
-  mutedText(solver.help.substr(0, solver.help.find(". ") + 1));
+  mutedText(shortHelpOf(solver, context.texts));
   explainItem(context, "help." + std::string(solver.name), solver.help);
 }
 

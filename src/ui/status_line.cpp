@@ -56,26 +56,29 @@ double timeForStep(const settings::Settings& settings) {
 }
 
 /// A message about intersections, which take long to disappear while the cloth moves.
-std::optional<Message> intersectionMessage(const session::Snapshot& snapshot) {
-  const int pairs = intersectingPairsOf(snapshot);
+std::optional<Message> intersectionMessage(const PanelContext& context) {
+  const int pairs = intersectingPairsOf(context.snapshot);
   if (pairs == 0) {
     return std::nullopt;
   }
-  return Message{fmt::format("The cloth intersects itself in {} {} of triangles", text::formatCount(pairs),
-                             pairs == 1 ? "pair" : "pairs"),
+  return Message{context.texts(text::plural(pairs, "The cloth intersects itself in {} pair of triangles",
+                                            "The cloth intersects itself in {} pairs of triangles"),
+                               text::formatCount(pairs)),
                  palette().warning, Remedy::Untangle};
 }
 
 /// A message about the speed of the simulation: why it is slow, or that the cloth is at rest.
-std::optional<Message> paceMessage(const session::Snapshot& snapshot) {
+std::optional<Message> paceMessage(const PanelContext& context) {
+  const session::Snapshot& snapshot = context.snapshot;
   const auto& choice = snapshot.stepReport.choice;
   if (choice && choice->sleeping) {
-    return Message{"The cloth is at rest", palette().muted};
+    return Message{context.texts("The cloth is at rest"), palette().muted};
   }
   if (choice && choice->costRatio > sim::adaptive::toleratedCostRatio) {
-    return Message{snapshot.settings.step.automatic.soften ? "The springs are softened to keep real time"
-                                                           : "The cloth is too stiff and too fine for real time",
-                   palette().warning, Remedy::Soften};
+    return Message{
+        context.texts(snapshot.settings.step.automatic.soften ? "The springs are softened to keep real time"
+                                                              : "The cloth is too stiff and too fine for real time"),
+        palette().warning, Remedy::Soften};
   }
   return std::nullopt;
 }
@@ -84,37 +87,38 @@ std::optional<Message> paceMessage(const session::Snapshot& snapshot) {
 Message messageOf(const PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
   if (!snapshot.message.empty()) {
-    return {snapshot.message, palette().warning,
+    return {context.texts(snapshot.message), palette().warning,
             snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? Remedy::Auto : Remedy::None};
   }
   if (!context.stats.notice.empty()) {
-    return {context.stats.notice, palette().text};
+    return {context.texts(context.stats.notice), palette().text};
   }
-  if (std::optional<Message> intersections = intersectionMessage(snapshot)) {
+  if (std::optional<Message> intersections = intersectionMessage(context)) {
     return *intersections;
   }
-  if (std::optional<Message> pace = paceMessage(snapshot)) {
+  if (std::optional<Message> pace = paceMessage(context)) {
     return *pace;
   }
-  if (std::string warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
-    return {std::move(warning), palette().warning, Remedy::Auto};
+  if (const text::Sentence warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
+    return {context.texts(warning), palette().warning, Remedy::Auto};
   }
-  if (std::string warning = session::ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
-    return {"Ghost: " + warning, palette().warning};
+  if (const text::Sentence warning = session::ghostWarning(context.settings, *snapshot.model); !warning.empty()) {
+    return {context.texts("Ghost: {}", warning), palette().warning};
   }
   if (isTooSlow(snapshot)) {
-    return {slownessInWords(snapshot), palette().warning};
+    return {context.texts(slownessInWords(snapshot)), palette().warning};
   }
-  return {"F1: help", palette().muted};
+  return {context.texts("F1: help"), palette().muted};
 }
 
 /// The cloth and its speed. A long name is cut.
-std::vector<std::pair<std::string, ImVec4>> factsOf(const session::Snapshot& snapshot) {
+std::vector<std::pair<std::string, ImVec4>> factsOf(const PanelContext& context) {
+  const session::Snapshot& snapshot = context.snapshot;
   const scene::SceneDescription& scene = snapshot.scene->description;
   const float widestName = 0.4F * ImGui::GetIO().DisplaySize.x;
-  return {{fitted(scene.title.empty() ? scene.name : scene.title, widestName), palette().text},
-          {text::formatCount(snapshot.model->vertexCount()) + " vertices", palette().text},
-          {describePace(snapshot), isTooSlow(snapshot) ? palette().warning : palette().text}};
+  return {{fitted(scene.title.empty() ? scene.name : context.texts(scene.title), widestName), palette().text},
+          {context.texts("{} vertices", text::formatCount(snapshot.model->vertexCount())), palette().text},
+          {describePace(snapshot, context.texts), isTooSlow(snapshot) ? palette().warning : palette().text}};
 }
 
 /// The button of a remedy.
@@ -158,7 +162,7 @@ void apply(PanelContext& context, Remedy remedy) {
 void remedyButton(PanelContext& context, Remedy remedy) {
   const RemedyButton button = buttonOf(remedy);
   ImGui::PushStyleColor(ImGuiCol_Button, palette().accentFill);
-  if (ImGui::SmallButton(button.word)) {
+  if (ImGui::SmallButton(labelOf(context, button.word, button.name).c_str())) {
     apply(context, remedy);
   }
   ImGui::PopStyleColor();
@@ -172,23 +176,24 @@ void detailRows(PanelContext& context) {
   const settings::Settings& settings = snapshot.settings;
   const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
   ImGui::Dummy({26.0F * ImGui::GetFontSize(), 0.0F});
-  valueRow(context, "Solver", solver == nullptr ? settings.solver.name : solver->title);
+  valueRow(context, "Solver", solver == nullptr ? settings.solver.name : context.texts(solver->title));
   valueRow(context, "Simulated time", fmt::format("{:.2f} s", snapshot.time));
-  valueRow(context, "Time step", describeStepLimit(settings.step.timeStep));
+  valueRow(context, "Time step", describeStepLimit(settings.step.timeStep, context.texts));
   valueRow(context, "Cost of a step", text::formatDuration(snapshot.stepSeconds));
   if (context.stats.frameSeconds > 0.0) {
     valueRow(context, "Frames per second", std::to_string(std::lround(1.0 / context.stats.frameSeconds)));
   }
   if (const auto& choice = snapshot.stepReport.choice) {
     ImGui::Spacing();
-    mutedText("Chosen by auto: " + messages::inWords(*choice, snapshot.stepSeconds, timeForStep(settings)));
+    mutedText(
+        context.texts("Chosen by auto: {}", messages::inWords(*choice, snapshot.stepSeconds, timeForStep(settings))));
   }
-  if (const std::string warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
+  if (const text::Sentence warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
     ImGui::Spacing();
-    mutedText(warning, palette().warning);
+    mutedText(context.texts(warning), palette().warning);
   }
   ImGui::Spacing();
-  mutedText("Change these in the section Advanced.");
+  mutedText(context.texts("Change these in the section Advanced."));
 }
 
 void drawDetails(PanelContext& context, const UiRect& place) {
@@ -237,12 +242,13 @@ struct Layout {
   float extraHeight = 0.0F;   // additional height of the line
 };
 
-Layout layOut(const std::string& facts, const Message& message, const UiRect& place) {
+Layout layOut(const PanelContext& context, const std::string& facts, const Message& message, const UiRect& place) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = static_cast<float>(place.width) - 2.0F * style.WindowPadding.x;
   Layout layout{.factsWidth = std::min(width, widthOf(facts))};
   if (message.remedy != Remedy::None) {
-    layout.buttonWidth = widthOf(buttonOf(message.remedy).word) + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+    layout.buttonWidth =
+        widthOf(context.texts(buttonOf(message.remedy).word)) + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
   }
   layout.messageWidth = widthOf(message.text);
   const bool breaks = message.text.find('\n') != std::string::npos;
@@ -267,7 +273,7 @@ void drawMessage(PanelContext& context, const Message& message, const Layout& la
 }
 
 void drawLine(PanelContext& context, const Message& message, const Layout& layout) {
-  const auto facts = factsOf(context.snapshot);
+  const auto facts = factsOf(context);
   if (layout.extraHeight > 0.0F) {
     drawMessage(context, message, layout);
     drawFacts(context, facts, layout.factsWidth);
@@ -287,10 +293,10 @@ double statusLine(PanelContext& context, const UiRect& place) {
     message.remedy = Remedy::None;
   }
   std::string facts;
-  for (const auto& [text, colour] : factsOf(context.snapshot)) {
+  for (const auto& [text, colour] : factsOf(context)) {
     facts += (facts.empty() ? "" : gapBetweenFacts) + text;
   }
-  const Layout layout = layOut(facts, message, place);
+  const Layout layout = layOut(context, facts, message, place);
   context.memory.status = facts + gapBetweenFacts + message.text;
   const float top = static_cast<float>(place.y) - layout.extraHeight;
   ImGui::SetNextWindowPos({static_cast<float>(place.x), top});

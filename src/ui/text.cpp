@@ -11,32 +11,34 @@ bool isTooSlow(const session::Snapshot& snapshot) {
          snapshot.realTimeFactor < nearEnough * snapshot.settings.playback.speed;
 }
 
-std::string describePace(const session::Snapshot& snapshot) {
+std::string describePace(const session::Snapshot& snapshot, const text::Catalogue& texts) {
   if (snapshot.paused) {
-    return "paused";
+    return texts("paused");
   }
   if (snapshot.realTimeFactor <= 0.0) {
-    return "not timed";  // no clock is running, as in a capture, or it has just started
+    return texts("not timed");  // no clock is running, as in a capture, or it has just started
   }
   const bool slow = isTooSlow(snapshot);
   if (!slow && snapshot.settings.playback.speed == 1.0) {
-    return "real time";
+    return texts("real time");
   }
   const std::string factor = snapshot.realTimeFactor < 0.095 ? fmt::format("{:.2g}", snapshot.realTimeFactor)
                                                              : fmt::format("{:.1f}", snapshot.realTimeFactor);
-  return factor + " \u00D7 real time" + (slow ? ": too slow" : "");
+  return texts(slow ? "{} \u00D7 real time: too slow" : "{} \u00D7 real time", factor);
 }
 
-std::string slownessInWords(const session::Snapshot& snapshot) {
+text::Sentence slownessInWords(const session::Snapshot& snapshot) {
   constexpr double largeFraction = 0.5;
   const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
   const double seconds = contact.bodySeconds + contact.selfSeconds;
   if (seconds > largeFraction * snapshot.stepSeconds) {
-    return std::string("The simulation is slower than real time, mostly because of contact ") +
-           (contact.selfSeconds > contact.bodySeconds ? "of the cloth with itself" : "with bodies") +
-           ". Fewer vertices make it faster";
+    return text::Sentence(contact.selfSeconds > contact.bodySeconds
+                              ? "The simulation is slower than real time, mostly because of contact of the cloth with "
+                                "itself. Fewer vertices make it faster"
+                              : "The simulation is slower than real time, mostly because of contact with bodies. Fewer "
+                                "vertices make it faster");
   }
-  return "The simulation is slower than real time on this machine. Fewer vertices make it faster";
+  return text::Sentence("The simulation is slower than real time on this machine. Fewer vertices make it faster");
 }
 
 int countPins(const sim::ClothModel& model) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "session/snapshot.hpp"
+#include "text/catalogue.hpp"
 #include "text/number_text.hpp"
 
 #include <string>
@@ -9,13 +10,14 @@
 namespace drape::ui {
 
 /// The speed of the simulation: "real time", "0.4 x real time: too slow", "paused".
-[[nodiscard]] std::string describePace(const session::Snapshot& snapshot);
+[[nodiscard]] std::string describePace(const session::Snapshot& snapshot,
+                                       const text::Catalogue& texts = text::Catalogue());
 
 /// Whether the simulation is slower than the chosen speed.
 [[nodiscard]] bool isTooSlow(const session::Snapshot& snapshot);
 
 /// Why the simulation is slow and what helps, in words. Names contact if it takes more than half of the last step.
-[[nodiscard]] std::string slownessInWords(const session::Snapshot& snapshot);
+[[nodiscard]] text::Sentence slownessInWords(const session::Snapshot& snapshot);
 
 /// The number of pinned vertices.
 [[nodiscard]] int countPins(const sim::ClothModel& model);

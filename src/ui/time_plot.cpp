@@ -155,7 +155,7 @@ PlotScale closePlotScale(double low, double high, int maxSteps) {
   return {low, high, span};
 }
 
-void timePlot(const PanelContext& context, std::string_view title, std::string_view unit,
+void timePlot(const PanelContext& context, const Wording& title, std::string_view unit,
               std::span<const MeasureSample> samples, std::span<const PlotCurve> curves) {
   std::vector<PlotSeries> series;
   for (const PlotCurve& curve : curves) {
@@ -169,10 +169,10 @@ void timePlot(const PanelContext& context, std::string_view title, std::string_v
   seriesPlot(context, title, unit, series);
 }
 
-void seriesPlot(const PanelContext& context, std::string_view title, std::string_view unit,
+void seriesPlot(const PanelContext& context, const Wording& title, std::string_view unit,
                 std::span<const PlotSeries> series, bool close) {
   ImGui::Dummy({0.0F, 2.0F * context.scale});
-  mutedText(std::string(title) + " [" + std::string(unit) + "]", palette().text);
+  mutedText(context.texts(title) + " [" + std::string(unit) + "]", palette().text);
   const float line = ImGui::GetTextLineHeight();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{ImGui::GetContentRegionAvail().x, std::round(line * 8.0F)};

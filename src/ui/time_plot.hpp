@@ -2,6 +2,7 @@
 
 #include "ui/measure_history.hpp"
 #include "ui/panel_context.hpp"
+#include "ui/wording.hpp"
 
 #include <optional>
 #include <span>
@@ -26,7 +27,7 @@ struct PlotPoint {
 
 /// One curve of points in the order of time, and its row in the legend.
 struct PlotSeries {
-  std::string name;
+  Wording name;
   ImVec4 colour;
   std::vector<PlotPoint> points;
 };
@@ -46,11 +47,11 @@ struct PlotScale {
 /// Draws the curves with a scale, a line at zero and the time axis, then a legend with the newest values. Ignores
 /// values that are not finite.
 /// @param close whether the scale may leave out zero
-void seriesPlot(const PanelContext& context, std::string_view title, std::string_view unit,
+void seriesPlot(const PanelContext& context, const Wording& title, std::string_view unit,
                 std::span<const PlotSeries> series, bool close = false);
 
 /// The same for curves of the measures.
-void timePlot(const PanelContext& context, std::string_view title, std::string_view unit,
+void timePlot(const PanelContext& context, const Wording& title, std::string_view unit,
               std::span<const MeasureSample> samples, std::span<const PlotCurve> curves);
 
 }  // namespace drape::ui

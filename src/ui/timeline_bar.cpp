@@ -51,14 +51,15 @@ float timelineBar(PanelContext& context, const UiRect& view) {
   }
   const float margin = 12.0F * context.scale;
   const std::string present = fmt::format("{:.2f} s", context.snapshot.time);
-  const std::string size = fmt::format("{:.2f} to {:.2f} s, {} MB", timeline->begin, timeline->end,
-                                       text::roundedFigure(timeline->megabytes, 2));
+  const std::string size =
+      context.texts("{} to {} s, {} MB", fmt::format("{:.2f}", timeline->begin), fmt::format("{:.2f}", timeline->end),
+                    text::roundedFigure(timeline->megabytes, 2));
   beginCorner(context, "overlay.timeline",
               {static_cast<float>(view.x + 0.5 * view.width), static_cast<float>(view.y + view.height) - margin},
               {0.5F, 1.0F}, OverlayStack::Mouse::Taken);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float numbers = ImGui::CalcTextSize("00.00 s").x;
-  const float facts = ImGui::CalcTextSize("00.00 to 00.00 s, 000 MB").x;
+  const float facts = ImGui::CalcTextSize(context.texts("{} to {} s, {} MB", "00.00", "00.00", "000").c_str()).x;
   // A narrow window has room for the line only.
   const bool isNarrow = static_cast<float>(view.width) < 3.0F * facts;
   const float width = static_cast<float>(view.width) - 4.0F * margin - numbers - (isNarrow ? 0.0F : facts + gap) - gap;

@@ -5,10 +5,12 @@
 #include "session/command.hpp"
 #include "settings/settings.hpp"
 #include "sim/model/vector.hpp"
+#include "text/sentence.hpp"
 #include "ui/export_request.hpp"
 #include "ui/placing_view.hpp"
 #include "ui/theme_choice.hpp"
 #include "ui/ui_rect.hpp"
+#include "ui/wording.hpp"
 
 #include <array>
 #include <cstddef>
@@ -81,6 +83,11 @@ struct ThemeRequest {
   Theme theme = Theme::Dark;
 };
 
+/// Show the window in another language.
+struct LanguageRequest {
+  std::string name;  ///< of one of locale::languages()
+};
+
 /// Mark a vertex of the cloth, or remove its mark.
 struct PickVertexRequest {
   int vertex = 0;
@@ -131,14 +138,14 @@ enum class UiAction {
 };
 
 using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest,
-                               SaveFabricRequest, SaveClothRequest, SaveSceneRequest, ThemeRequest, PickVertexRequest,
-                               PlacingRequest, ExportRequest, UiAction>;
+                               SaveFabricRequest, SaveClothRequest, SaveSceneRequest, ThemeRequest, LanguageRequest,
+                               PickVertexRequest, PlacingRequest, ExportRequest, UiAction>;
 
 /// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {
   std::vector<session::Command> commands;  ///< for the simulation, in order
   std::vector<UiRequest> requests;         ///< for the program, in order
-  std::string hint;                        ///< one sentence for the status line, or empty
+  Wording hint;                            ///< for the status line, or empty
 };
 
 /// How a drag or a click in the picture selects vertices.
@@ -165,24 +172,24 @@ struct CameraStatus {
 
 /// Bodies that pass through the cloth.
 struct PiercingNotice {
-  std::string text;  ///< which part of which body, and how many pairs of triangles; one sentence without a full stop
+  Wording text;           ///< which part of which body, and how many pairs of triangles; without a full stop
   std::size_t pairs = 0;  ///< of triangles of cloth and bodies that intersect
 };
 
 /// Dressing that is under way.
 struct DressingProgress {
-  std::string words;   ///< what it does
+  Wording words;       ///< what it does
   double share = 0.0;  ///< of that, from 0 to 1
 };
 
 /// Data of the panels besides the snapshot.
 struct UiStats {
   double frameSeconds = 0.0;             ///< between two drawn frames, recently [s]
-  std::string loading;                   ///< the job in the background, or empty
+  Wording loading;                       ///< the job in the background, or empty
   double loadingShare = -1.0;            ///< its progress from 0 to 1; negative: unknown
-  std::string error;                     ///< the last error, in words, or empty
+  Wording error;                         ///< the last error, in words, or empty
   int failures = 0;                      ///< number of errors so far; distinguishes two errors with the same words
-  std::string notice;                    ///< the last message, or empty
+  Wording notice;                        ///< the last message, or empty
   std::vector<std::string> recentFiles;  ///< that were opened before, the newest first
   SelectionView selection;
   std::optional<PlacingView> placing;  ///< empty: the mode Place is off

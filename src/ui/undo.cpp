@@ -30,22 +30,22 @@ void Undo::watch(const session::Snapshot& snapshot, const settings::Settings& in
   }
 }
 
-std::string Undo::undo(UiOutput& output) {
+text::Sentence Undo::undo(UiOutput& output) {
   const std::optional<session::ChangeHistory::Step> step = history_.undo(present_, now_);
   if (!step) {
-    return "There is nothing to undo";
+    return text::Sentence("There is nothing to undo");
   }
   request(step->after, step->before, output);
-  return "Undone: " + changeInWords(step->before, step->after, *scene_);
+  return text::Sentence("Undone: {}", changeInWords(step->before, step->after, *scene_));
 }
 
-std::string Undo::redo(UiOutput& output) {
+text::Sentence Undo::redo(UiOutput& output) {
   const std::optional<session::ChangeHistory::Step> step = history_.redo(present_, now_);
   if (!step) {
-    return "There is nothing to redo";
+    return text::Sentence("There is nothing to redo");
   }
   request(step->before, step->after, output);
-  return "Redone: " + changeInWords(step->before, step->after, *scene_);
+  return text::Sentence("Redone: {}", changeInWords(step->before, step->after, *scene_));
 }
 
 void Undo::request(const session::UserState& from, const session::UserState& to, UiOutput& output) const {

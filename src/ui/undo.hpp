@@ -1,10 +1,10 @@
 #pragma once
 
 #include "session/change_history.hpp"
+#include "text/sentence.hpp"
 #include "ui/ui_output.hpp"
 
 #include <memory>
-#include <string>
 
 namespace drape::ui {
 
@@ -22,9 +22,9 @@ class Undo {
              UiOutput& output);
 
   /// Adds what takes back the last change to `output`. @return what it was, for the status line
-  [[nodiscard]] std::string undo(UiOutput& output);
+  [[nodiscard]] text::Sentence undo(UiOutput& output);
   /// The same for the last change that was undone.
-  [[nodiscard]] std::string redo(UiOutput& output);
+  [[nodiscard]] text::Sentence redo(UiOutput& output);
 
   /// Call it with all commands of the user.
   void noteCommands(const std::vector<session::Command>& commands);

@@ -30,6 +30,7 @@ struct UserInterface::Parts {
   UiDisplay display;
   UiFonts fonts;
   Theme theme = Theme::Dark;
+  locale::Language language = locale::languages().front();
   CommandPalette search;
   bool searches = false;  ///< whether the search was open at the start of the last frame
   PanelMemory memory;
@@ -42,8 +43,8 @@ struct UserInterface::Parts {
   std::string replaced;                 ///< the scene file that the user may want to replace; empty: no question
   std::optional<DroppedFiles> dropped;  ///< the user must choose the cloth among these
   std::size_t chosenCloth = 0;          ///< index of that choice
-  std::string closedError;              ///< the error that the user closed
-  std::string shownError;
+  Wording closedError;                  ///< the error that the user closed
+  Wording shownError;
   int failures = 0;  ///< as of the last frame
 
   void makeFonts();
@@ -89,10 +90,10 @@ void UserInterface::Parts::remember(const session::Snapshot& snapshot, const UiS
   }
   memory.hoveredThisFrame = false;
   if (stats.error.empty() || stats.failures != failures) {
-    closedError.clear();
+    closedError = {};
   }
   failures = stats.failures;
-  shownError = stats.error == closedError ? std::string() : stats.error;
+  shownError = stats.error == closedError ? Wording() : stats.error;
 }
 
 void UserInterface::Parts::column(PanelContext& panel, const UiRect& place) {
@@ -118,7 +119,7 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   readingNotice(panel, stack);
   if (!shownError.empty() && !errorNotice(panel, stack)) {
     closedError = shownError;
-    shownError.clear();
+    shownError = {};
   }
   if (!panel.stats.loading.empty()) {
     loadingNotice(panel, stack);
@@ -129,8 +130,9 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (panel.stats.exporting) {
     exportNotice(panel, stack);
   }
-  if (!memory.hasDragged && memory.picked.vertices().empty() && !panel.stats.placing) {
-    dragHint(stack);
+  if (!memory.hasDragged && memory.picked.vertices().empty() && !panel.stats.placing &&
+      panel.stats.selection.mode == SelectionMode::Off) {
+    dragHint(panel, stack);
   }
   pickedPanel(panel, view);
   selectionBox(panel, view);
@@ -223,6 +225,8 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
                      .sceneSettings = snapshot.scene->description.settings,
                      .stats = stats,
                      .fonts = parts.fonts,
+                     .texts = parts.language.texts,
+                     .language = parts.language.name,
                      .scale = parts.display.scale,
                      .theme = parts.theme,
                      .memory = parts.memory,
@@ -344,7 +348,7 @@ bool UserInterface::closeOverlay() {
   }
   if (!parts_->shownError.empty()) {
     parts_->closedError = parts_->shownError;
-    parts_->shownError.clear();
+    parts_->shownError = {};
     return true;
   }
   if (!parts_->memory.picked.vertices().empty()) {
@@ -371,7 +375,7 @@ void UserInterface::toggleSearch(const std::vector<std::string>& recentFiles) {
   if (parts_->search.isOpen()) {
     parts_->search.close();
   } else {
-    parts_->search.open(searchEntries(parts_->memory.scenes, recentFiles));
+    parts_->search.open(searchEntries(parts_->memory.scenes, recentFiles, parts_->language.texts));
   }
 }
 
@@ -393,6 +397,15 @@ void UserInterface::useTheme(Theme theme) {
 
 Theme UserInterface::theme() const {
   return parts_->theme;
+}
+
+void UserInterface::useLanguage(const locale::Language& language) {
+  parts_->language = language;
+  parts_->search.close();  // its entries are in the language before
+}
+
+const locale::Language& UserInterface::language() const {
+  return parts_->language;
 }
 
 const std::map<std::string, bool>& UserInterface::sections() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "locale/language.hpp"
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
 #include "ui/dropped_files.hpp"
@@ -92,6 +93,10 @@ class UserInterface {
 
   void useTheme(Theme theme);
   [[nodiscard]] Theme theme() const;
+
+  /// Shows all texts in that language from the next frame on; at first it is English.
+  void useLanguage(const locale::Language& language);
+  [[nodiscard]] const locale::Language& language() const;
 
   /// The sections that the user opened or closed, by title; to be restored before the first frame.
   [[nodiscard]] const std::map<std::string, bool>& sections() const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace drape::ui {
 namespace {
@@ -87,6 +88,10 @@ std::string prettyUnit(std::string_view unit) {
   return pretty;
 }
 
+text::Sentence unitInWords(std::string_view unit) {
+  return unit == "degrees" ? text::Sentence("degrees") : text::Sentence::verbatim(prettyUnit(unit));
+}
+
 std::string fitted(std::string_view text, float width) {
   std::string cut(text);
   for (std::size_t limit = text.size(); limit > 1 && sizeOf(cut).x > width; --limit) {
@@ -95,7 +100,12 @@ std::string fitted(std::string_view text, float width) {
   return cut;
 }
 
-UiRect beginRow(const PanelContext& context, std::string_view label, bool marked) {
+std::string labelOf(const PanelContext& context, const Wording& wording, std::string_view name) {
+  return context.texts(wording) + "###" + std::string(name);
+}
+
+UiRect beginRow(const PanelContext& context, const Wording& wording, bool marked) {
+  const std::string label = context.texts(wording);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = ImGui::GetFrameHeight();
@@ -114,7 +124,8 @@ UiRect beginRow(const PanelContext& context, std::string_view label, bool marked
   return {at.x, at.y, width, height};
 }
 
-void valueRow(const PanelContext& /*context*/, std::string_view label, std::string_view value, const ImVec4& colour) {
+void valueRow(const PanelContext& context, const Wording& wording, std::string_view value, const ImVec4& colour) {
+  const std::string label = context.texts(wording);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
@@ -123,7 +134,8 @@ void valueRow(const PanelContext& /*context*/, std::string_view label, std::stri
   ImGui::Dummy({width, ImGui::GetTextLineHeight()});
 }
 
-void factRow(const PanelContext& /*context*/, std::string_view label, std::string_view fact) {
+void factRow(const PanelContext& context, const Wording& wording, std::string_view fact) {
+  const std::string label = context.texts(wording);
   const float start = std::round(ImGui::GetCursorStartPos().x + ImGui::GetContentRegionAvail().x * labelShare);
   mutedText(label);
   ImGui::SameLine(start);
@@ -165,10 +177,10 @@ void endExplanation() {
   ImGui::PopStyleVar();
 }
 
-void explainItem(const PanelContext& context, const std::string& name, std::string_view sentence) {
+void explainItem(const PanelContext& context, const std::string& name, const Wording& sentence) {
   if (ImGui::IsItemHovered() && hoveredLongEnough(context, name)) {
     beginExplanation(context);
-    ImGui::TextWrapped("%.*s", static_cast<int>(sentence.size()), sentence.data());
+    ImGui::TextWrapped("%s", context.texts(sentence).c_str());
     endExplanation();
   }
 }
@@ -197,8 +209,9 @@ void steadyText(PanelContext& context, const std::string& name, const std::strin
   ImGui::Dummy({width, height});
 }
 
-bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::string_view word, float width,
+bool iconButton(PanelContext& context, const std::string& name, Icon icon, const Wording& wording, float width,
                 bool strong) {
+  const std::string word = context.texts(wording);
   const float height = std::round(ImGui::GetFrameHeight() * 1.15F);
   ImGui::PushID(name.c_str());
   if (strong) {
@@ -220,12 +233,37 @@ bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::
   return pressed;
 }
 
+float widthOfButton(const PanelContext& context, const Wording& word, float width) {
+  return std::max(width, std::ceil(sizeOf(context.texts(word)).x) + 2.0F * ImGui::GetStyle().FramePadding.x);
+}
+
+namespace {
+
+/// Equal widths where all titles fit, else widths in proportion to the titles.
+std::vector<float> segmentWidths(const PanelContext& context, std::span<const Segment> choices, float all) {
+  std::vector<float> widths;
+  float sum = 0.0F;
+  for (const Segment& choice : choices) {
+    const Wording title = choice.isName ? Wording(text::Sentence::verbatim(choice.title)) : Wording(choice.title);
+    sum += widths.emplace_back(widthOfButton(context, title, 0.0F));
+  }
+  const float equal = all / static_cast<float>(choices.size());
+  const bool allFit = std::ranges::all_of(widths, [&](float width) { return width <= equal; });
+  for (float& width : widths) {
+    width = allFit ? equal : all * width / sum;
+  }
+  return widths;
+}
+
+}  // namespace
+
 std::size_t segments(PanelContext& context, const std::string& name, std::span<const Segment> choices,
                      std::size_t chosen) {
   std::size_t result = chosen;
   const float gap = std::round(2.0F * context.scale);
   const auto count = static_cast<float>(choices.size());
-  const float width = (ImGui::CalcItemWidth() - gap * (count - 1.0F)) / count;
+  const float all = ImGui::CalcItemWidth() - gap * (count - 1.0F);
+  const std::vector<float> widths = segmentWidths(context, choices, all);
   ImGui::PushID(name.c_str());
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) {
@@ -233,7 +271,11 @@ std::size_t segments(PanelContext& context, const std::string& name, std::span<c
     }
     ImGui::PushStyleColor(ImGuiCol_Button, i == chosen ? palette().accentFill : palette().field);
     ImGui::PushStyleColor(ImGuiCol_Text, i == chosen ? palette().text : palette().muted);
-    if (ImGui::Button(std::string(choices[i].title).c_str(), {width, ImGui::GetFrameHeight()})) {
+    if (ImGui::Button(
+            labelOf(context, choices[i].isName ? Wording(text::Sentence::verbatim(choices[i].title)) : choices[i].title,
+                    choices[i].word)
+                .c_str(),
+            {widths[i], ImGui::GetFrameHeight()})) {
       result = i;
     }
     ImGui::PopStyleColor(2);
@@ -250,7 +292,7 @@ bool beginSection(PanelContext& context, const std::string& title, bool openAtFi
   const std::optional<bool> all = openNow ? std::optional(true) : context.memory.openSections;
   ImGui::SetNextItemOpen(all.value_or(left == kept.end() ? openAtFirst : left->second),
                          all ? ImGuiCond_Always : ImGuiCond_Once);
-  const bool open = ImGui::CollapsingHeader(title.c_str());
+  const bool open = ImGui::CollapsingHeader(labelOf(context, title, title).c_str());
   if (ImGui::IsItemToggledOpen()) {
     kept[title] = open;
   }
@@ -265,8 +307,8 @@ bool beginSection(PanelContext& context, const std::string& title, bool openAtFi
 bool beginFold(PanelContext& context, const std::string& title, const std::string& name, bool openNow) {
   const std::optional<bool> all = openNow ? std::optional(true) : context.memory.openSections;
   ImGui::SetNextItemOpen(all.value_or(false), all ? ImGuiCond_Always : ImGuiCond_Once);
-  const bool open =
-      ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
+  const bool open = ImGui::TreeNodeEx(labelOf(context, title, name).c_str(),
+                                      ImGuiTreeNodeFlags_NoTreePushOnOpen | ImGuiTreeNodeFlags_SpanAvailWidth);
   context.buttons["fold." + name] = lastItemRect();
   return open;
 }

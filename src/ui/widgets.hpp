@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/panel_context.hpp"
+#include "ui/wording.hpp"
 
 #include <cstddef>
 #include <span>
@@ -15,19 +16,25 @@ namespace drape::ui {
 /// The unit with raised powers: "kg/m²" for "kg/m^2".
 [[nodiscard]] std::string prettyUnit(std::string_view unit);
 
+/// The unit as a text to show: a symbol, or the word "degrees".
+[[nodiscard]] text::Sentence unitInWords(std::string_view unit);
+
 /// The text, cut with an ellipsis to at most that width.
 [[nodiscard]] std::string fitted(std::string_view text, float width);
 
 /// Starts a row: draws the label at the left, moves the cursor to the widget, and sets its width to the rest of the
 /// row. A row whose value differs from the scene's gets a small mark. Returns the rectangle of the whole row.
-UiRect beginRow(const PanelContext& context, std::string_view label, bool marked = false);
+UiRect beginRow(const PanelContext& context, const Wording& label, bool marked = false);
 
 /// A row that shows a value: the label at the left, the value at the right edge, so that numbers align.
-void valueRow(const PanelContext& context, std::string_view label, std::string_view value,
+void valueRow(const PanelContext& context, const Wording& label, std::string_view value,
               const ImVec4& colour = palette().text);
 
 /// A row of text: the label at the left, the text in the column of the widgets, with line breaks.
-void factRow(const PanelContext& context, std::string_view label, std::string_view fact);
+void factRow(const PanelContext& context, const Wording& label, std::string_view fact);
+
+/// A label in the present language whose identity is a name that does not change with it.
+[[nodiscard]] std::string labelOf(const PanelContext& context, const Wording& wording, std::string_view name);
 
 /// Whether the mouse is over the row and nothing covers it.
 [[nodiscard]] bool hoversRow(const UiRect& row);
@@ -40,7 +47,7 @@ void beginExplanation(const PanelContext& context, const UiRect* row = nullptr);
 void endExplanation();
 
 /// A tooltip with one sentence for the last item.
-void explainItem(const PanelContext& context, const std::string& name, std::string_view sentence);
+void explainItem(const PanelContext& context, const std::string& name, const Wording& sentence);
 
 /// A paragraph in the colour of explanations.
 void mutedText(std::string_view text, const ImVec4& colour = palette().muted);
@@ -53,13 +60,17 @@ void steadyText(PanelContext& context, const std::string& name, const std::strin
 enum class Icon { None, Play, Pause, Step, Reset };
 
 /// A button with an icon and a word, stored under `name`. Returns whether it was pressed.
-bool iconButton(PanelContext& context, const std::string& name, Icon icon, std::string_view word, float width,
+bool iconButton(PanelContext& context, const std::string& name, Icon icon, const Wording& word, float width,
                 bool strong = false);
+
+/// The width of a button with that word, and at least `width`.
+[[nodiscard]] float widthOfButton(const PanelContext& context, const Wording& word, float width);
 
 /// One of a few choices that stand side by side.
 struct Segment {
   std::string_view word;   ///< for tests
-  std::string_view title;  ///< as it is shown
+  std::string_view title;  ///< as it is shown, in English
+  bool isName = false;     ///< whether the title is the same in all languages
 };
 
 /// Draws choices side by side in the width of the next item, each stored as "NAME=WORD". @return the chosen one

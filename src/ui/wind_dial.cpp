@@ -84,7 +84,7 @@ void windDial(PanelContext& context) {
   ImGui::SameLine(0.0F, ImGui::GetFontSize());
   ImGui::BeginGroup();
   const Vec3& wind = context.settings.step.air.wind;
-  mutedText("Wind from above");
+  mutedText(context.texts("Wind from above"));
   valueRow(context, "Speed", text::formatQuantity(wind.norm(), "m/s"));
   valueRow(context, "Level", text::formatQuantity(std::hypot(wind.x(), wind.z()), "m/s"));
   valueRow(context, "Upwards", text::formatQuantity(wind.y(), "m/s"));

@@ -1,3 +1,4 @@
+#include "locale/language.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -5,7 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace drape::ui {
 
@@ -17,7 +20,7 @@ void themeRow(PanelContext& context) {
   for (const ThemeInfo& theme : themes()) {
     const bool chosen = theme.theme == context.theme;
     ImGui::PushStyleColor(ImGuiCol_Button, chosen ? palette().accentFill : palette().field);
-    if (ImGui::Button(std::string(theme.title).c_str(), {width, ImGui::GetFrameHeight()}) && !chosen) {
+    if (ImGui::Button(labelOf(context, theme.title, theme.name).c_str(), {width, ImGui::GetFrameHeight()}) && !chosen) {
       context.output.requests.emplace_back(ThemeRequest{theme.theme});
     }
     ImGui::PopStyleColor();
@@ -27,6 +30,21 @@ void themeRow(PanelContext& context) {
     if (&theme != &themes().back()) {
       ImGui::SameLine(0.0F, gap);
     }
+  }
+}
+
+void languageRow(PanelContext& context) {
+  beginRow(context, "Language");
+  const std::span<const locale::Language> languages = locale::languages();
+  std::vector<Segment> titles;
+  std::size_t chosen = languages.size();  // a file of the user is none of them
+  for (const locale::Language& language : languages) {
+    chosen = language.name == context.language ? titles.size() : chosen;
+    titles.push_back({language.name, language.title, true});
+  }
+  const std::size_t next = segments(context, "language", titles, chosen);
+  if (next != chosen) {
+    context.output.requests.emplace_back(LanguageRequest{languages[next].name});
   }
 }
 
@@ -80,14 +98,14 @@ void recentFilesRow(PanelContext& context) {
     return;
   }
   beginRow(context, "Recent files");
-  if (ImGui::BeginCombo("##recent", "choose", ImGuiComboFlags_HeightLarge)) {
+  if (ImGui::BeginCombo("##recent", context.texts("choose").c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const std::string& file : context.stats.recentFiles) {
       ImGui::PushID(file.c_str());
       if (ImGui::Selectable(std::filesystem::path(file).filename().c_str())) {
         context.output.requests.emplace_back(OpenSceneRequest{file});
       }
       context.buttons["recent=" + file] = lastItemRect();
-      explainItem(context, "recent=" + file, file);
+      explainItem(context, "recent=" + file, text::Sentence::verbatim(file));
       ImGui::PopID();
     }
     ImGui::EndCombo();

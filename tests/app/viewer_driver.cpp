@@ -108,6 +108,7 @@ std::map<std::string, std::string> ViewerDriver::environmentOf(const DriverOptio
   const std::filesystem::path home = options.home.empty() ? folder_.path() : options.home;
   std::map<std::string, std::string> environment{{"DISPLAY", display_.name()},
                                                  {"WAYLAND_DISPLAY", ""},
+                                                 {"LC_ALL", options.locale},
                                                  {"XDG_STATE_HOME", (home / "state").string()},
                                                  {"XDG_CONFIG_HOME", (home / "config").string()}};
   if (!options.programs.empty()) {

@@ -63,6 +63,7 @@ struct DriverOptions {
   std::string size = "1280,800";     ///< of the display
   bool windowSize = true;            ///< whether the window gets that size; else it chooses its own
   std::filesystem::path home{};      ///< the folder for preferences; empty: a new one
+  std::string locale = "C.UTF-8";    ///< of the system
   std::filesystem::path programs{};  ///< comes first in PATH; a folder that does not exist: PATH has nothing else
 };
 

@@ -79,7 +79,7 @@ TEST(SimErrorText, saysWhyAPatternCannotBe) {
 }
 
 TEST(SimErrorText, namesTheSolversThatTakeAFabric) {
-  const std::string refusal = takesSpringsOnly("ghost.solver", "kang");
+  const std::string refusal = takesSpringsOnly("ghost.solver", "kang").english();
   EXPECT_TRUE(
       refusal.starts_with("ghost.solver = kang knows springs only. With material.model = fabric choose one of: "
                           "one_iteration, auto, "))

@@ -16,7 +16,7 @@ using sim::testing::pinnedSheet;
 /// The warning of a solver on a sheet of n x n vertices; empty if there is none.
 std::string warningOf(const char* solver, int n, const sim::StepParameters& parameters) {
   const std::optional<sim::SolverWarning> warning = sim::findSolver(solver)->warning(*pinnedSheet(n), parameters);
-  return warning ? inWords(*warning) : std::string();
+  return warning ? inWords(*warning).english() : std::string();
 }
 
 sim::StepParameters with(double stiffness, double timeStep = 1.0 / 150.0) {

@@ -82,7 +82,8 @@ TEST_F(MeshReadingTest, AGuessGivesTheSamePositionsAsTheWord) {
 
 TEST_F(MeshReadingTest, TheLineTellsUnitAxisAndHeightAndOffersOthers) {
   const auto scene = open(testing::scaled(testing::withZUp(testing::shirt({})), 100.0));
-  EXPECT_TRUE(inWords(*scene->reading).starts_with("Read as centimetres, z up: 0.7")) << inWords(*scene->reading);
+  EXPECT_TRUE(inWords(*scene->reading).english().starts_with("Read as centimetres, z up: 0.7"))
+      << inWords(*scene->reading);
   EXPECT_TRUE(scene->reading->needsReview());
   EXPECT_TRUE(offers(*scene->reading, "unit", "m"));
   EXPECT_TRUE(offers(*scene->reading, "unit", "inch"));
@@ -148,11 +149,12 @@ TEST_F(MeshReadingTest, PinsThatHoldAllOrNothingAreTold) {
   const auto all = open(level, {"pins=top"});
   EXPECT_EQ(pinCount(*all), 1089);
   ASSERT_TRUE(all->pinAdvice.has_value());
-  EXPECT_NE(all->pinAdvice->text.find("All 1089 vertices are pinned"), std::string::npos) << all->pinAdvice->text;
+  EXPECT_NE(all->pinAdvice->text.english().find("All 1089 vertices are pinned"), std::string::npos)
+      << all->pinAdvice->text;
   EXPECT_EQ(all->pinAdvice->key + "=" + all->pinAdvice->value, "pins=shape");
   const auto none = open(level, {"pins=none"});
   ASSERT_TRUE(none->pinAdvice.has_value());
-  EXPECT_NE(none->pinAdvice->text.find("Nothing is pinned"), std::string::npos);
+  EXPECT_NE(none->pinAdvice->text.english().find("Nothing is pinned"), std::string::npos);
   EXPECT_FALSE(open(level)->pinAdvice.has_value());
 }
 
@@ -184,7 +186,7 @@ TEST_F(MeshReadingTest, PinsOfASceneThatHoldNothingAreToldWithTheirLine) {
       write("mine.toml", "[cloth]\ngrid = \"vertical\"\n[pins]\nboxes = [{ min = [5, 5, 5], max = [6, 6, 6] }]\n"));
   const auto built = buildScene(scene, scene.settings);
   ASSERT_TRUE(built->pinAdvice.has_value());
-  EXPECT_NE(built->pinAdvice->text.find("mine.toml:3: [pins] contains no vertex"), std::string::npos)
+  EXPECT_NE(built->pinAdvice->text.english().find("mine.toml:3: [pins] contains no vertex"), std::string::npos)
       << built->pinAdvice->text;
 }
 

@@ -67,9 +67,10 @@ TEST_F(UvMesh, RefusesDegenerateTextureWithNumberAndPlace) {
   EXPECT_NE(message.find("use fabric.warp_from = vertical"), std::string::npos) << message;
   const auto scene = build(flat);
   EXPECT_LT((warpOf(*scene, 1) - Vec3::UnitY()).norm(), 1e-12);
-  EXPECT_NE(
-      warpNote(scene->cloths.front().uvs, scene->settings).find("warp is vertical, because the texture coordinates"),
-      std::string::npos);
+  EXPECT_NE(warpNote(scene->cloths.front().uvs, scene->settings)
+                .english()
+                .find("warp is vertical, because the texture coordinates"),
+            std::string::npos);
 }
 
 TEST_F(UvMesh, RefusesATriangleThatIsTurnedOverWithinItsPiece) {

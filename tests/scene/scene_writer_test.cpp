@@ -220,7 +220,7 @@ TEST(SceneWriter, WritesPinsBodiesAndShiftsOfTheUser) {
   EXPECT_EQ(again->model->pinned, now.pinned) << written.text;
   EXPECT_EQ((*again->bodies)[0].motion.keyframes.front().position, Vec3(0.5, 1.0, -0.25));
   ASSERT_EQ(written.notes.size(), 2U);
-  EXPECT_NE(written.notes[0].find("rod is switched off"), std::string::npos) << written.notes[0];
+  EXPECT_NE(written.notes[0].english().find("rod is switched off"), std::string::npos) << written.notes[0];
 }
 
 TEST(SceneWriter, SwitchesTheGroundOff) {

@@ -168,26 +168,26 @@ TEST(Bodies, aMessageNamesClothThatCannotLeaveABody) {
                                             "length = 4\n") +
                                 settings));
   simulation.step();
-  EXPECT_NE(simulation.message().find("pushed out slowly"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("pushed out slowly"), std::string::npos) << simulation.message();
   while (simulation.state().time < 2.0) {
     simulation.step();
   }
-  EXPECT_NE(simulation.message().find("cannot push it out"), std::string::npos) << simulation.message();
-  EXPECT_NE(simulation.message().find("Move or scale"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("cannot push it out"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("Move or scale"), std::string::npos) << simulation.message();
 }
 
 TEST(Bodies, aStartInsideABodyIsReportedUntilTheClothIsOut) {
   Simulation simulation(sheetInBall());
   EXPECT_EQ(simulation.message(), "");
   simulation.step();
-  EXPECT_NE(simulation.message().find("starts inside a body"), std::string::npos) << simulation.message();
-  EXPECT_NE(simulation.message().find("pushed out slowly"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("starts inside a body"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("pushed out slowly"), std::string::npos) << simulation.message();
   const sim::contact::ContactReport first = simulation.lastStepReport().contact;
   EXPECT_GE(first.overlaps, 8) << "those around the middle vertex at least";
   EXPECT_NEAR(first.deepestOverlap, 0.02, 1e-3);
   simulation.apply(SetSettingCommand{"gravity", 9.0});
   simulation.step();
-  EXPECT_NE(simulation.message().find("is inside a body"), std::string::npos) << "and still, whatever is set";
+  EXPECT_NE(simulation.message().english().find("is inside a body"), std::string::npos) << "and still, whatever is set";
   Snapshot snapshot;
   simulation.capture(snapshot);
   EXPECT_EQ(snapshot.message, simulation.message());
@@ -221,7 +221,7 @@ TEST(Bodies, refuseAnInvalidSurface) {
        {sim::contact::SurfaceProperties{-0.1, 0.0, 0.002}, sim::contact::SurfaceProperties{0.5, 0.6, 0.002},
         sim::contact::SurfaceProperties{0.5, 0.4, 0.0}, sim::contact::SurfaceProperties{0.5, NAN, 0.002}}) {
     simulation.apply(SetSurfaceCommand{0, wrong});
-    EXPECT_NE(simulation.message().find("a body's"), std::string::npos) << simulation.message();
+    EXPECT_NE(simulation.message().english().find("a body's"), std::string::npos) << simulation.message();
     EXPECT_EQ(simulation.bodies().surface(0), before);
   }
 }
@@ -230,10 +230,10 @@ TEST(Bodies, refuseCommandsForABodyThatDoesNotExist) {
   Simulation simulation(sheetOnTable());
   for (const int body : {-1, static_cast<int>(simulation.scene().bodies->size())}) {
     simulation.apply(MoveBodyCommand{body, Vec3::Zero()});
-    EXPECT_NE(simulation.message().find("there is no body"), std::string::npos);
+    EXPECT_NE(simulation.message().english().find("there is no body"), std::string::npos);
     simulation.apply(SetSettingCommand{"gravity", 9.0});
     simulation.apply(SwitchBodyCommand{body, false});
-    EXPECT_NE(simulation.message().find("there is no body"), std::string::npos);
+    EXPECT_NE(simulation.message().english().find("there is no body"), std::string::npos);
   }
 }
 

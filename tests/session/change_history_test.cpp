@@ -208,7 +208,7 @@ TEST(PinCommands, RefuseVerticesThatDoNotExist) {
   Simulation simulation(testing::smallGrid());
   const auto pinned = simulation.model().pinned;
   simulation.apply(SetPinsCommand{{0, 100000}});
-  EXPECT_NE(simulation.message().find("100000"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("100000"), std::string::npos) << simulation.message();
   EXPECT_EQ(simulation.model().pinned, pinned);
 }
 

@@ -78,7 +78,7 @@ TEST(Fabric, refusesABadValueWithAMessageAndKeepsTheOldOne) {
   for (const auto& [key, value] : {std::pair("fabric.shear", -1.0), std::pair("fabric.stretch_warp", std::nan("")),
                                    std::pair("fabric.bend_bias", 1e-9)}) {
     set(simulation, key, value);
-    EXPECT_NE(simulation.message().find(key), std::string::npos) << simulation.message();
+    EXPECT_NE(simulation.message().english().find(key), std::string::npos) << simulation.message();
     EXPECT_EQ(simulation.model().fabric->materials[0], before) << key;
     EXPECT_EQ(simulation.settings().fabric.moduli, before) << key;
   }
@@ -87,7 +87,7 @@ TEST(Fabric, refusesABadValueWithAMessageAndKeepsTheOldOne) {
 TEST(Fabric, refusesAPatternWhereTheMeshHasNoneAndKeepsTheMesh) {
   Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
   set(simulation, "fabric.rest_shape", std::string("uv"));
-  EXPECT_NE(simulation.message().find("fabric.rest_shape = uv cannot be used"), std::string::npos)
+  EXPECT_NE(simulation.message().english().find("fabric.rest_shape = uv cannot be used"), std::string::npos)
       << simulation.message();
   EXPECT_EQ(simulation.settings().fabric.restShape, "mesh");
   EXPECT_FALSE(simulation.model().hasPattern);
@@ -141,7 +141,7 @@ TEST(Fabric, refusesAnOwnFabricOutOfRangeAndKeepsTheOldOne) {
   Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
   const sim::fabric::Material before = simulation.model().fabric->materials[0];
   simulation.apply(UseFabricCommand{fabricNamed("bad", "denim", -1.0)});
-  EXPECT_NE(simulation.message().find("fabric.bend_warp must be"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("fabric.bend_warp must be"), std::string::npos) << simulation.message();
   EXPECT_EQ(simulation.model().fabric->materials[0], before);
   EXPECT_EQ(settings::fabricTitle(simulation.settings()), "Cotton");
 }
@@ -149,7 +149,7 @@ TEST(Fabric, refusesAnOwnFabricOutOfRangeAndKeepsTheOldOne) {
 TEST(Fabric, refusesWarpFromTextureThatTheClothLacks) {
   Simulation simulation(smallGrid(9, {"solver=auto", "material.model=fabric"}));
   set(simulation, "fabric.warp_from", std::string("uv"));
-  EXPECT_NE(simulation.message().find("no texture coordinates"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("no texture coordinates"), std::string::npos) << simulation.message();
   EXPECT_EQ(simulation.settings().fabric.warpFrom, "auto");
 }
 
@@ -159,7 +159,7 @@ TEST(Fabric, causesAdviceToSoftenItWhenItBlowsUp) {
   for (int i = 0; i < 500 && !simulation.blewUp(); ++i) {
     simulation.step();
   }
-  EXPECT_NE(simulation.message().find("a smaller time step or a softer fabric"), std::string::npos)
+  EXPECT_NE(simulation.message().english().find("a smaller time step or a softer fabric"), std::string::npos)
       << simulation.message();
 }
 
@@ -167,7 +167,8 @@ TEST(Fabric, isRefusedWithASolverThatTakesSpringsOnly) {
   Simulation simulation(smallGrid(9, {"solver=kang"}));
   set(simulation, "material.model", std::string("fabric"));
   EXPECT_EQ(simulation.model().fabric, nullptr);
-  EXPECT_NE(simulation.message().find("solver = kang knows springs only"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("solver = kang knows springs only"), std::string::npos)
+      << simulation.message();
   set(simulation, "solver", std::string("verlet"));
   set(simulation, "material.model", std::string("fabric"));
   EXPECT_NE(simulation.model().fabric, nullptr) << simulation.message();

@@ -135,17 +135,18 @@ TEST_F(Figures, RefuseWhatIsOutOfRangeAndOtherBodies) {
   for (const SetFigureCommand& wrong : {figureThat("walk", 3.0), figureThat("walk", 0.0, 5.0),
                                         figureThat("walk", 0.0, std::nan("")), figureThat("fly")}) {
     simulation_.apply(wrong);
-    EXPECT_NE(simulation_.message().find("outside its range"), std::string::npos) << simulation_.message();
+    EXPECT_NE(simulation_.message().english().find("outside its range"), std::string::npos) << simulation_.message();
     EXPECT_EQ(present().motion->name, "breathe");
     simulation_.apply(SetSettingCommand{"gravity", 9.0});
   }
   SetFigureCommand ball = figureThat("walk");
   ball.body = 0;
   simulation_.apply(ball);
-  EXPECT_NE(simulation_.message().find("\"ball\" is not a figure"), std::string::npos) << simulation_.message();
+  EXPECT_NE(simulation_.message().english().find("\"ball\" is not a figure"), std::string::npos)
+      << simulation_.message();
   ball.body = 9;
   simulation_.apply(ball);
-  EXPECT_NE(simulation_.message().find("there is no body 9"), std::string::npos) << simulation_.message();
+  EXPECT_NE(simulation_.message().english().find("there is no body 9"), std::string::npos) << simulation_.message();
 }
 
 TEST_F(Figures, AreReplayedToTheSameBits) {

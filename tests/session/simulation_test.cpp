@@ -50,10 +50,10 @@ TEST(Simulation, appliesASettingToTheNextStep) {
 TEST(Simulation, refusesABadSettingWithAMessageAndKeepsTheOldOne) {
   Simulation simulation(smallGrid());
   simulation.apply(SetSettingCommand{"stiffness", -1.0});
-  EXPECT_NE(simulation.message().find("stiffness"), std::string::npos);
+  EXPECT_NE(simulation.message().english().find("stiffness"), std::string::npos);
   EXPECT_EQ(simulation.settings().step.material.stiffness, smallGrid()->settings.step.material.stiffness);
   simulation.apply(SetSettingCommand{"no_such_thing", 1.0});
-  EXPECT_NE(simulation.message().find("no_such_thing"), std::string::npos);
+  EXPECT_NE(simulation.message().english().find("no_such_thing"), std::string::npos);
   simulation.apply(SetSettingCommand{"stiffness", 55.0});
   EXPECT_TRUE(simulation.message().empty());
   EXPECT_EQ(simulation.settings().step.material.stiffness, 55.0);
@@ -157,7 +157,7 @@ TEST(Simulation, goesBackToTheLastFiniteStateWhenItBlowsUp) {
   }
   EXPECT_TRUE(simulation.paused());
   EXPECT_TRUE(simulation.blewUp());
-  EXPECT_NE(simulation.message().find("blew up"), std::string::npos) << simulation.message();
+  EXPECT_NE(simulation.message().english().find("blew up"), std::string::npos) << simulation.message();
   EXPECT_TRUE(sim::isFinite(simulation.state()));
 }
 
@@ -170,7 +170,7 @@ TEST(Simulation, saysWhenSpringsAreStretchedBeyondAllMeasure) {
     position *= 3.5;
   }
   Simulation(scene).capture(snapshot);
-  EXPECT_NE(snapshot.message.find("time step is too long"), std::string::npos) << snapshot.message;
+  EXPECT_NE(snapshot.message.english().find("time step is too long"), std::string::npos) << snapshot.message;
 }
 
 TEST(Simulation, computesTheEnergyBalanceOnRequest) {
@@ -225,14 +225,14 @@ TEST(Simulation, movesPinsAndTheGhostsPinsAndNothingElse) {
 TEST(Simulation, saysWhenThereAreNoPinsToMove) {
   Simulation simulation(smallGrid(9, {"pins=none"}));
   simulation.apply(MovePinsCommand{Vec3(0.0, 0.0, 0.5)});
-  EXPECT_NE(simulation.message().find("there are no pins"), std::string::npos);
+  EXPECT_NE(simulation.message().english().find("there are no pins"), std::string::npos);
 }
 
 TEST(Simulation, unfoldsAStartInOnePointAndSaysSo) {
   auto scene = std::make_shared<scene::Scene>(*smallGrid(9, {"gravity=0", "damping=0.05", "pins=none"}));
   scene->start = sim::stateAtRest(std::vector<Vec3>(scene->start.positions.size(), Vec3(0.0, 1.0, 0.0)));
   Simulation simulation(scene);
-  EXPECT_NE(simulation.message().find("can unfold"), std::string::npos);
+  EXPECT_NE(simulation.message().english().find("can unfold"), std::string::npos);
   for (int step = 0; step < 150; ++step) {
     simulation.step();
   }

@@ -43,9 +43,9 @@ TEST(StretchCause, ClothThatHangsAsItShouldHasNone) {
 TEST(StretchCause, SoftClothIsNamedWithItsStretchAndTheStiffnessThatHelps) {
   const StretchDiagnosis found = causeFor({"solver=auto", "stiffness=0.5", "damping=0.05"});
   EXPECT_EQ(found.cause, StretchCause::Soft);
-  EXPECT_NE(found.advice.text.find("Too soft"), std::string::npos) << found.advice.text;
-  EXPECT_NE(found.advice.text.find("% at a stiffness of 0.5 N/m"), std::string::npos) << found.advice.text;
-  EXPECT_EQ(found.advice.text.find("time step"), std::string::npos) << found.advice.text;
+  EXPECT_NE(found.advice.text.english().find("Too soft"), std::string::npos) << found.advice.text;
+  EXPECT_NE(found.advice.text.english().find("% at a stiffness of 0.5 N/m"), std::string::npos) << found.advice.text;
+  EXPECT_EQ(found.advice.text.english().find("time step"), std::string::npos) << found.advice.text;
   ASSERT_EQ(found.advice.key, "stiffness");
   const Outcome cured =
       simulated(testing::smallGrid(9, {"solver=auto", "damping=0.05", "stiffness=" + found.advice.value}), 1.0);
@@ -55,7 +55,7 @@ TEST(StretchCause, SoftClothIsNamedWithItsStretchAndTheStiffnessThatHelps) {
 TEST(StretchCause, HeavyClothIsNamedWithItsDensity) {
   const StretchDiagnosis found = causeFor({"solver=auto", "density=80", "stiffness=200", "damping=1"});
   EXPECT_EQ(found.cause, StretchCause::Heavy);
-  EXPECT_NE(found.advice.text.find("the cloth weighs 80 kg"), std::string::npos) << found.advice.text;
+  EXPECT_NE(found.advice.text.english().find("the cloth weighs 80 kg"), std::string::npos) << found.advice.text;
   EXPECT_EQ(found.advice.key, "density");
 }
 
@@ -82,7 +82,7 @@ TEST(StretchCause, AStepAboveTheLimitOfTheSolverIsNamed) {
   }
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(found.cause, StretchCause::TimeStep);
-  EXPECT_NE(found.advice.text.find("The time step is too long for the solver xpbd"), std::string::npos);
+  EXPECT_NE(found.advice.text.english().find("The time step is too long for the solver xpbd"), std::string::npos);
   EXPECT_EQ(found.advice.value, "auto");
 }
 
@@ -94,10 +94,10 @@ TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
   }
   const StretchDiagnosis failed = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(failed.cause, StretchCause::Solver);
-  EXPECT_TRUE(failed.advice.text.starts_with("Overstretched")) << failed.advice.text;
+  EXPECT_TRUE(failed.advice.text.english().starts_with("Overstretched")) << failed.advice.text;
   const StretchDiagnosis attachment = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, true);
   EXPECT_EQ(attachment.cause, StretchCause::Attachment);
-  EXPECT_EQ(attachment.advice.text.find("Overstretched"), std::string::npos);
+  EXPECT_EQ(attachment.advice.text.english().find("Overstretched"), std::string::npos);
 }
 
 TEST(StretchCause, AdviceForAFabricDoesNotNameSprings) {
@@ -113,11 +113,11 @@ TEST(StretchCause, AdviceForAFabricDoesNotNameSprings) {
     for (const bool byMouse : {false, true}) {
       const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, byMouse);
       EXPECT_EQ(found.cause, soft ? StretchCause::Soft : byMouse ? StretchCause::Attachment : StretchCause::Solver);
-      EXPECT_EQ(found.advice.text.find("spring"), std::string::npos) << found.advice.text;
-      EXPECT_EQ(found.advice.text.find("stiffness"), std::string::npos) << found.advice.text;
+      EXPECT_EQ(found.advice.text.english().find("spring"), std::string::npos) << found.advice.text;
+      EXPECT_EQ(found.advice.text.english().find("stiffness"), std::string::npos) << found.advice.text;
       EXPECT_NE(found.advice.key, "stiffness");
       if (soft || byMouse) {
-        EXPECT_NE(found.advice.text.find("stiffer fabric"), std::string::npos) << found.advice.text;
+        EXPECT_NE(found.advice.text.english().find("stiffer fabric"), std::string::npos) << found.advice.text;
       }
     }
   }
@@ -136,9 +136,9 @@ TEST(StretchCause, SliversAreNamedWithTheirPosition) {
   state.positions[b] = mesh.positions[a] + 5.0 * (mesh.positions[b] - mesh.positions[a]);
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, state, false);
   EXPECT_EQ(found.cause, StretchCause::Slivers);
-  EXPECT_NE(found.advice.text.find("1 edge is overstretched. The shortest is 1/6000"), std::string::npos)
+  EXPECT_NE(found.advice.text.english().find("1 edge is overstretched. The shortest is 1/6000"), std::string::npos)
       << found.advice.text;
-  EXPECT_NE(found.advice.text.find("The first is at ("), std::string::npos) << found.advice.text;
+  EXPECT_NE(found.advice.text.english().find("The first is at ("), std::string::npos) << found.advice.text;
 }
 
 TEST(StretchCause, AWrongUnitIsNamed) {
@@ -154,8 +154,19 @@ TEST(StretchCause, AWrongUnitIsNamed) {
   }
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(found.cause, StretchCause::Unit);
-  EXPECT_NE(found.advice.text.find("probably in centimetres"), std::string::npos) << found.advice.text;
+  EXPECT_NE(found.advice.text.english().find("probably in centimetres"), std::string::npos) << found.advice.text;
   EXPECT_EQ(found.advice.key + "=" + found.advice.value, "unit=cm");
+}
+
+TEST(StretchCause, PinsThatWereMovedAreNamed) {
+  Simulation simulation(testing::smallGrid(9, {"solver=auto", "stiffness=200"}));
+  testing::takeSteps(simulation, 30);
+  simulation.apply(PlacePinsCommand{{0}, {simulation.state().positions[0] + Vec3(0.0, 0.5, 0.0)}});
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  ASSERT_TRUE(snapshot.overstretched.has_value());
+  EXPECT_EQ(snapshot.overstretched->cause, StretchCause::Attachment);
+  EXPECT_TRUE(snapshot.message.english().starts_with("Pins pull at the cloth")) << snapshot.message;
 }
 
 }  // namespace

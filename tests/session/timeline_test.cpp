@@ -169,7 +169,7 @@ TEST(SimulationTimeline, SaysThatNothingIsRecorded) {
   Simulation simulation(testing::smallGrid());
   simulation.step();
   simulation.apply(GoToCommand{0.0});
-  EXPECT_NE(simulation.message().find("timeline.memory"), std::string::npos);
+  EXPECT_NE(simulation.message().english().find("timeline.memory"), std::string::npos);
   EXPECT_EQ(simulation.stepIndex(), 1);
 }
 

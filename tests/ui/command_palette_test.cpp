@@ -68,7 +68,7 @@ TEST_F(Palette, UnfoldsTheValuesOfAFabric) {
 
 TEST_F(Palette, SaysWhenASettingHasNoEffectHere) {
   type("fabric.shear");
-  EXPECT_NE(press(ImGuiKey_Enter).hint.find("no effect"), std::string::npos);
+  EXPECT_NE(press(ImGuiKey_Enter).hint.english().find("no effect"), std::string::npos);
 }
 
 TEST_F(Palette, OpensAScene) {

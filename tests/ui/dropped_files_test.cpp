@@ -26,22 +26,22 @@ TEST(DroppedFiles, OfSeveralScenesTheLastIsOpenedAndTheOthersAreNamed) {
   const DropDecision decision = decide(sortDropped({"/a/one.toml", "/a/two.toml", "/a/three.toml"}));
   ASSERT_TRUE(decision.open);
   EXPECT_EQ(decision.open->scene, "/a/three.toml");
-  EXPECT_NE(decision.notice.find("one.toml"), std::string::npos) << decision.notice;
-  EXPECT_NE(decision.notice.find("two.toml"), std::string::npos) << decision.notice;
+  EXPECT_NE(decision.notice.english().find("one.toml"), std::string::npos) << decision.notice;
+  EXPECT_NE(decision.notice.english().find("two.toml"), std::string::npos) << decision.notice;
 }
 
 TEST(DroppedFiles, AStrangerBesideAMeshIsNamed) {
   const DropDecision decision = decide(sortDropped({"/a/coat.obj", "/a/notes.txt"}));
   ASSERT_TRUE(decision.open);
   EXPECT_EQ(decision.open->scene, "/a/coat.obj");
-  EXPECT_NE(decision.notice.find("notes.txt"), std::string::npos) << decision.notice;
+  EXPECT_NE(decision.notice.english().find("notes.txt"), std::string::npos) << decision.notice;
 }
 
 TEST(DroppedFiles, StrangersAloneAreOpenedForTheMessageAndTheRestNamed) {
   const DropDecision decision = decide(sortDropped({"/a/notes.txt", "/a/photo.jpg"}));
   ASSERT_TRUE(decision.open);
   EXPECT_EQ(decision.open->scene, "/a/notes.txt");
-  EXPECT_NE(decision.notice.find("photo.jpg"), std::string::npos) << decision.notice;
+  EXPECT_NE(decision.notice.english().find("photo.jpg"), std::string::npos) << decision.notice;
 }
 
 TEST(DroppedFiles, SeveralMeshesRaiseTheQuestion) {
@@ -65,7 +65,8 @@ TEST(DroppedFiles, AVertexCacheMakesItsMeshABody) {
   EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/runner.obj"}));
   EXPECT_EQ(parts.caches, (std::vector<std::string>{"/a/runner.PC2"}));
   for (const DroppedFiles& alone : {sortDropped({"/a/runner.pc2"}), sortDropped({"/a/coat.obj", "/a/runner.mdd"})}) {
-    EXPECT_NE(decide(alone).notice.find("drop garment, body and runner."), std::string::npos) << decide(alone).notice;
+    EXPECT_NE(decide(alone).notice.english().find("drop garment, body and runner."), std::string::npos)
+        << decide(alone).notice;
   }
 }
 

@@ -186,9 +186,11 @@ TEST_F(FieldPanels, TheTimelineStaysAboveALongMessage) {
   for (int i = 0; i < 10; ++i) {
     simulation_.step();
   }
+  std::string lines;
   for (int line = 0; line < 4; ++line) {
-    stats_.notice += "A message of several lines, which the status line shows above its usual place in the window.\n";
+    lines += "A message of several lines, which the status line shows above its usual place in the window.\n";
   }
+  stats_.notice = lines;
   fieldFrame();
   fieldFrame();
   ASSERT_TRUE(shows("timeline"));

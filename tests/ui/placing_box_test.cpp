@@ -86,7 +86,7 @@ TEST_F(PlacingBox, RefusesNumbersOutsideTheirRanges) {
   const UiOutput tooFar = typeInto(widget("placing.position.x"), "-500");
   EXPECT_FALSE(placingRequest(tooFar, PlacingRequest::Kind::Place).has_value());
   EXPECT_EQ(tooFar.hint, "Position x must be a number from -100 to 100 m, not '-500'");
-  EXPECT_NE(typeInto(widget("placing.rotation.y"), "nan").hint.find("Rotation y must be"), std::string::npos);
+  EXPECT_NE(typeInto(widget("placing.rotation.y"), "nan").hint.english().find("Rotation y must be"), std::string::npos);
 }
 
 TEST_F(PlacingBox, ADragOfANumberIsAPreviewUntilTheEnd) {

@@ -261,7 +261,7 @@ TEST_F(PlacingInWindow, RefusesAPlacementThatIsTooFarAway) {
   send(KeyEvent{Key::G});
   const UiOutput output = ask({.kind = Request::Place, .placement = {Vec3(1e5, 0, 0), Vec3::Zero(), 1.0}});
   EXPECT_TRUE(output.requests.empty());
-  EXPECT_NE(output.hint.find("too far"), std::string::npos);
+  EXPECT_NE(output.hint.english().find("too far"), std::string::npos);
   pull(GizmoHandle::MoveX, Vec2(-1e7, 0.0));
   EXPECT_GE(view().middle.x(), -100.000001);
 }
@@ -289,7 +289,7 @@ TEST_F(PlacingSphere, AClickOnTheGroundSaysThatItCannotBePlaced) {
   const Vec2 onGround = picture.toWindow(Vec3(0.5, 0.0, 0.6));
   send(MoveEvent{onGround});
   send(PressEvent{.position = onGround});
-  EXPECT_EQ(letGo().hint.find("The ground cannot be placed"), 0U);
+  EXPECT_EQ(letGo().hint.english().find("The ground cannot be placed"), 0U);
 }
 
 TEST_F(PlacingSphere, ABodyIsPlacedWithItsMotionAndStandsOnTheGround) {
@@ -319,7 +319,8 @@ TEST_F(PlacingSphere, ThePreviewOfABodyIsWhereItWillBe) {
 TEST_F(PlacingFigure, AFigureIsMovedAndTurnedButNotScaled) {
   send(KeyEvent{Key::G});
   ask({.kind = Request::Choose, .thing = {scene::Placeable::Kind::Body, 0}});
-  EXPECT_NE(ask({.kind = Request::UseTool, .tool = PlacingTool::Scale}).hint.find("measures"), std::string::npos);
+  EXPECT_NE(ask({.kind = Request::UseTool, .tool = PlacingTool::Scale}).hint.english().find("measures"),
+            std::string::npos);
   EXPECT_EQ(view().tool, PlacingTool::Move);
   send(KeyEvent{Key::G});
   send(KeyEvent{Key::G});

@@ -80,7 +80,8 @@ TEST_F(ReadingNotice, FitsIntoANarrowWindow) {
 TEST_F(ReadingNotice, HasOneClickForPinsThatHoldEverything) {
   auto scene = std::make_shared<scene::Scene>(simulation_.scene());
   scene->reading.reset();
-  scene->pinAdvice = scene::Advice{"All 81 vertices are pinned, so nothing can move.", "pins", "shape", "Pin by shape"};
+  scene->pinAdvice = scene::Advice{text::Sentence("All {} vertices are pinned, so nothing can move.", 81), "pins",
+                                   "shape", text::Sentence("Pin by shape")};
   simulation_.apply(session::LoadSceneCommand{scene});
   settle();
   EXPECT_EQ(rebuiltBy("pins.pins").mesh.pins, "shape");

@@ -27,7 +27,7 @@ SceneLoader::Outcome waitFor(SceneLoader& loader) {
 TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
   SceneLoader loader;
   loader.open({.scene = "grid"}, [](settings::Settings& settings) { settings.view.surface = "plain"; });
-  EXPECT_NE(loader.activity().find("grid"), std::string::npos);
+  EXPECT_NE(loader.activity().english().find("grid"), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.scene->settings.view.surface, "plain");
@@ -40,7 +40,7 @@ TEST(SceneLoader, AFailureIsASentenceAndNoScene) {
   loader.open({.scene = "no such scene"}, [](settings::Settings&) {});
   const auto outcome = waitFor(loader);
   EXPECT_EQ(outcome.scene, nullptr);
-  EXPECT_NE(outcome.error.find("no such scene"), std::string::npos);
+  EXPECT_NE(outcome.error.english().find("no such scene"), std::string::npos);
 }
 
 TEST(SceneLoader, OfThoseThatWaitTheNewestWins) {
@@ -74,7 +74,7 @@ TEST(SceneLoader, CancelledJobsNeverArrive) {
   EXPECT_TRUE(loader.activity().empty());
   EXPECT_FALSE(loader.cancel()) << "there is nothing left to cancel";
   loader.open({.scene = "flag"}, [](settings::Settings&) {});
-  EXPECT_NE(loader.activity().find("flag"), std::string::npos);
+  EXPECT_NE(loader.activity().english().find("flag"), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.scene->description.name, "flag");
@@ -98,7 +98,7 @@ TEST(SceneLoader, ReportsItsProgress) {
   std::set<std::string> told;
   std::optional<SceneLoader::Outcome> outcome;
   while (!outcome) {
-    told.insert(loader.activity());
+    told.insert(loader.activity().english());
     outcome = loader.poll();
   }
   EXPECT_NE(outcome->scene, nullptr) << outcome->error;

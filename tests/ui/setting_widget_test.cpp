@@ -147,7 +147,7 @@ TEST_F(FabricPanel, RefusesABadNameAndSaysWhy) {
   for (const auto& [name, expected] : {std::pair("", "needs a name"), {"Silk", "belongs to the built-in fabric"}}) {
     const UiOutput output = saveAs(name);
     EXPECT_TRUE(output.requests.empty()) << name;
-    EXPECT_NE(output.hint.find(expected), std::string::npos) << output.hint;
+    EXPECT_NE(output.hint.english().find(expected), std::string::npos) << output.hint;
   }
 }
 
@@ -255,7 +255,7 @@ TEST_F(SettingWidget, TypedNumbersBeyondTheRangeAreClamped) {
 TEST_F(SettingWidget, TypedNonsenseChangesNothingAndSaysWhy) {
   const UiOutput output = typeInto(widget("drag"), "lots");
   EXPECT_TRUE(output.commands.empty());
-  EXPECT_NE(output.hint.find("drag"), std::string::npos) << output.hint;
+  EXPECT_NE(output.hint.english().find("drag"), std::string::npos) << output.hint;
 }
 
 TEST_F(SettingWidget, CtrlClickAloneChangesNothing) {

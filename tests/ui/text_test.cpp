@@ -27,11 +27,12 @@ TEST(Slowness, NamesContactIfItTakesMoreThanHalfOfAStep) {
   snapshot.stepSeconds = 0.010;
   snapshot.stepReport.contact.bodySeconds = 0.002;
   snapshot.stepReport.contact.selfSeconds = 0.002;
-  EXPECT_EQ(slownessInWords(snapshot).find("contact"), std::string::npos);
+  EXPECT_EQ(slownessInWords(snapshot).english().find("contact"), std::string::npos);
   snapshot.stepReport.contact.bodySeconds = 0.004;
-  EXPECT_NE(slownessInWords(snapshot).find("mostly because of contact with bodies"), std::string::npos);
+  EXPECT_NE(slownessInWords(snapshot).english().find("mostly because of contact with bodies"), std::string::npos);
   snapshot.stepReport.contact.selfSeconds = 0.005;
-  EXPECT_NE(slownessInWords(snapshot).find("mostly because of contact of the cloth with itself"), std::string::npos);
+  EXPECT_NE(slownessInWords(snapshot).english().find("mostly because of contact of the cloth with itself"),
+            std::string::npos);
 }
 
 TEST(Text, ShorteningNeverSplitsALetter) {

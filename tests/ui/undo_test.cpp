@@ -28,7 +28,7 @@ class UndoPanel : public PanelFixture {
   }
   std::string undo() {
     UiOutput output;
-    const std::string words = undo_.undo(output);
+    const std::string words = undo_.undo(output).english();
     requests_ = output.requests;
     apply(output);
     output.commands.clear();
@@ -37,7 +37,7 @@ class UndoPanel : public PanelFixture {
   }
   std::string redo() {
     UiOutput output;
-    const std::string words = undo_.redo(output);
+    const std::string words = undo_.redo(output).english();
     apply(output);
     output.commands.clear();
     pass(output);

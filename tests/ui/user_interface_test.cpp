@@ -249,7 +249,7 @@ TEST_F(UserInterfaceTest, AnErrorStaysUntilItIsClosed) {
   click(button("button.close"));
   settle();
   EXPECT_FALSE(panels_.buttons().contains("button.close"));
-  stats_.error.clear();
+  stats_.error = {};
   frame();
   stats_.error = "shirt.obj is not a mesh";
   settle();

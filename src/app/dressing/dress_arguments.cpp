@@ -23,7 +23,7 @@ using dressing::Dressed;
 
 /// Shows the stages as one bar each.
 void showProgress(ProgressLine& line, dressing::Stage stage, double share) {
-  line.show(inWords(stage), std::round(100.0 * share), 100.0);
+  line.show(inWords(stage).english(), std::round(100.0 * share), 100.0);
 }
 
 Dressed dressed(const scene::Scene& scene, const sim::ClothMesh& body, const DressingChoices& choices) {
@@ -47,7 +47,7 @@ void writeScene(const scene::Scene& scene, const DressArguments& arguments) {
   settings.mesh.unit = scene::wordForUnit(placement.metresPerUnit / arguments.choices.scale);
   settings.mesh.up = placement.up;
   const auto built = scene::buildScene(fitted, settings);
-  for (const std::string& note :
+  for (const text::Sentence& note :
        saveScene(*built, scene::unchanged(*built), sceneFile(arguments.sceneOutput), Existing::Refused)) {
     std::cerr << "note: " << note << '\n';
   }
@@ -89,14 +89,15 @@ void DressArguments::run() const {
   requireDressable({choices.garment, choices.body}, {scene->start.positions, scene->model->triangles}, body);
   const Dressed result = dressed(*scene, body, choices);
   if (!result.fits) {
-    throw messages::InputError(refusalOf(result, choices.garment) + " Move it with --move, --turn or --scale.");
+    throw messages::InputError(refusalOf(result, choices.garment).english() +
+                               " Move it with --move, --turn or --scale.");
   }
   printNotes(result);
   writeGarment(*scene, result, *this);
   if (!sceneOutput.empty()) {
     writeScene(*scene, *this);
   }
-  const std::string summary = output + ": " + summaryOf(result);
+  const std::string summary = output + ": " + summaryOf(result).english();
   if (result.after.all() > 0 || !result.faults.empty()) {
     throw messages::InputError(summary + ". Try another place with --move, --turn or --scale.");
   }

@@ -16,7 +16,7 @@ bool isRight(const dressing::Dressed& result) {
   return result.fits && result.after.all() == 0 && result.faults.empty();
 }
 
-constexpr const char* advice = " Move the body or the garment, or scale one of them.";
+constexpr const char* advice = "Move the body or the garment, or scale one of them.";
 
 }  // namespace
 
@@ -39,11 +39,11 @@ DressingJob::Outcome DressingJob::run() {
   try {
     return dressFirstThatFits();
   } catch (const Cancelled&) {
-    return {"Dressing was cancelled", false, std::nullopt};
+    return {text::Sentence("Dressing was cancelled"), false, std::nullopt};
   } catch (const std::bad_alloc&) {
-    return {"Not enough memory to dress the body. Use smaller meshes.", true, std::nullopt};
+    return {text::Sentence("Not enough memory to dress the body. Use smaller meshes."), true, std::nullopt};
   } catch (const std::exception& error) {
-    return {messages::messageOf(error), true, std::nullopt};
+    return {messages::sentenceOf(error), true, std::nullopt};
   }
 }
 
@@ -52,18 +52,21 @@ DressingJob::Outcome DressingJob::run() {
 DressingJob::Outcome DressingJob::dressFirstThatFits() {
   const auto model = sim::withPins(*order_.model, std::vector<bool>(order_.model->pinned.size(), false));
   std::optional<Outcome> worn;
-  std::string refusal;
+  text::Sentence refusal;
   for (const DressingAttempt& attempt : order_.attempts) {
     requireDressable(order_.names, {attempt.start, model->triangles}, attempt.body);
     dressing::Dressed result = dressBy(*model, attempt);
     if (!result.fits) {
-      refusal = refusalOf(result, order_.names.garment) + advice;
+      refusal = refusalOf(result, order_.names.garment).append(" ", text::Sentence(advice));
       continue;
     }
-    const std::string summary = order_.names.garment + " on " + order_.names.body + ": " + summaryOf(result);
     const bool right = isRight(result);
-    Outcome outcome{right ? "Dressed " + summary : "Not all is right with " + summary + "." + advice, !right,
-                    session::PlaceClothCommand{std::move(result.positions), attempt.isStart}};
+    const WearNames& names = order_.names;
+    const text::Sentence summary = summaryOf(result);
+    Outcome outcome{right ? text::Sentence("Dressed {} on {}: {}", names.garment, names.body, summary)
+                          : text::Sentence("Not all is right with {} on {}: {}. {}", names.garment, names.body, summary,
+                                           text::Sentence(advice)),
+                    !right, session::PlaceClothCommand{std::move(result.positions), attempt.isStart}};
     if (right) {
       return outcome;
     }

@@ -40,7 +40,7 @@ class DressingJob {
 
   /// How it ended.
   struct Outcome {
-    std::string message;  ///< what was done, or why it could not be done
+    text::Sentence message;  ///< what was done, or why it could not be done
     bool hasFailed = false;
     /// The garment on the body. Empty if it was cancelled or cannot be worn; otherwise also where something is wrong
     /// with the result.

@@ -6,150 +6,178 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
-#include <string_view>
 
 namespace drape::app {
 namespace {
 
 using dressing::BodyPart;
+using text::Sentence;
 
-std::string_view nameOf(BodyPart part) {
+/// The part as the subject of a sentence.
+Sentence nameOf(BodyPart part) {
   switch (part) {
     case BodyPart::Head:
-      return "head";
+      return Sentence("the head");
     case BodyPart::Trunk:
-      return "trunk";
+      return Sentence("the trunk");
     case BodyPart::LeftArm:
-      return "left arm";
+      return Sentence("the left arm");
     case BodyPart::RightArm:
-      return "right arm";
+      return Sentence("the right arm");
     case BodyPart::LeftLeg:
-      return "left leg";
+      return Sentence("the left leg");
     case BodyPart::RightLeg:
-      return "right leg";
+      return Sentence("the right leg");
     case BodyPart::Whole:
       break;
   }
-  return "body";
+  return Sentence("the body");
 }
 
-std::string_view wallOf(const dressing::Fault& fault) {
-  return fault.atSleeve ? "the sleeve's wall" : "the garment";
-}
-
-std::string capitalised(std::string sentence) {
-  if (!sentence.empty()) {
-    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+/// The same at the start of a sentence.
+Sentence capitalisedNameOf(BodyPart part) {
+  switch (part) {
+    case BodyPart::Head:
+      return Sentence("The head");
+    case BodyPart::Trunk:
+      return Sentence("The trunk");
+    case BodyPart::LeftArm:
+      return Sentence("The left arm");
+    case BodyPart::RightArm:
+      return Sentence("The right arm");
+    case BodyPart::LeftLeg:
+      return Sentence("The left leg");
+    case BodyPart::RightLeg:
+      return Sentence("The right leg");
+    case BodyPart::Whole:
+      break;
   }
-  return sentence;
+  return Sentence("The body");
+}
+
+Sentence wallOf(const dressing::Fault& fault) {
+  return Sentence(fault.atSleeve ? "the sleeve's wall" : "the garment");
 }
 
 /// What a garment lacks that is closed where head and arms come out.
-std::string adviceOnOpenings(const dressing::Dressed& result) {
+Sentence adviceOnOpenings(const dressing::Dressed& result) {
   if (result.openings > 1) {
-    return "";
+    return {};
   }
-  return fmt::format(" It has {} for neck, arms, waist and legs; is it closed where it should be open?",
-                     result.openings == 0 ? "no opening" : "only one opening");
+  return Sentence(
+      result.openings == 0
+          ? "It has no opening for neck, arms, waist and legs; is it closed where it should be open?"
+          : "It has only one opening for neck, arms, waist and legs; is it closed where it should be open?");
 }
 
-std::string pairsText(std::size_t pairs) {
-  return fmt::format("{} {} of triangles", pairs, pairs == 1 ? "pair" : "pairs");
+Sentence pairsText(std::size_t pairs) {
+  return Sentence(text::plural(static_cast<long long>(pairs), "{} pair of triangles", "{} pairs of triangles"), pairs);
+}
+
+/// @param subject the part of the body
+Sentence faultOf(const dressing::Fault& fault, const Sentence& subject) {
+  if (fault.kind == dressing::FaultKind::MissesOpening) {
+    return Sentence("{} does not pass through the opening of its sleeve", subject);
+  }
+  return Sentence("{} passes through {} ({})", subject, wallOf(fault), pairsText(fault.pairs));
 }
 
 }  // namespace
 
-std::string inWords(const dressing::Fault& fault) {
-  if (fault.kind == dressing::FaultKind::MissesOpening) {
-    return fmt::format("the {} does not pass through the opening of its sleeve", nameOf(fault.part));
-  }
-  return fmt::format("the {} passes through {} ({})", nameOf(fault.part), wallOf(fault), pairsText(fault.pairs));
+Sentence inWords(const dressing::Fault& fault) {
+  return faultOf(fault, nameOf(fault.part));
 }
 
-std::string inWords(const std::vector<dressing::Fault>& faults) {
-  std::string text;
+Sentence inWords(const std::vector<dressing::Fault>& faults) {
+  Sentence words;
   for (const dressing::Fault& fault : faults) {
-    text += (text.empty() ? "" : ", ") + inWords(fault);
+    words.append(", ", inWords(fault));
   }
-  return text;
+  return words;
 }
 
-std::string inWords(const dressing::Pairs& pairs) {
+Sentence inWords(const dressing::Pairs& pairs) {
   if (pairs.all() == 0) {
-    return "no triangles";
+    return Sentence("no triangles");
   }
-  return fmt::format("{} of the garment with the body and {} with itself", pairsText(pairs.body), pairs.self);
+  return Sentence("{} of the garment with the body and {} with itself", pairsText(pairs.body), pairs.self);
 }
 
-std::string inWords(dressing::PlacementRule rule) {
+Sentence inWords(dressing::PlacementRule rule) {
   switch (rule) {
     case dressing::PlacementRule::Landmarks:
-      return "placed by neck, sleeves or waist";
+      return Sentence("placed by neck, sleeves or waist");
     case dressing::PlacementRule::Boxes:
-      return "placed by its size";
+      return Sentence("placed by its size");
     case dressing::PlacementRule::Auto:
     case dressing::PlacementRule::File:
       break;
   }
-  return "placed as in its file";
+  return Sentence("placed as in its file");
 }
 
-std::string inWords(dressing::Stage stage) {
+Sentence inWords(dressing::Stage stage) {
   switch (stage) {
     case dressing::Stage::Shrinking:
-      return "shrinking the body";
+      return Sentence("shrinking the body");
     case dressing::Stage::Placing:
-      return "placing the garment";
+      return Sentence("placing the garment");
     case dressing::Stage::Growing:
-      return "growing the body";
+      return Sentence("growing the body");
     case dressing::Stage::Settling:
       break;
   }
-  return "settling the garment";
+  return Sentence("settling the garment");
 }
 
-std::string inWords(const dressing::Piercing& piercing, const scene::Scene& scene) {
+Sentence inWords(const dressing::Piercing& piercing, const scene::Scene& scene) {
   if (piercing.faults.size() == 1 && piercing.faults.front().part == BodyPart::Whole) {
     const Vec3& at = piercing.centre;
-    return fmt::format("The body '{}' passes through the cloth near ({:.2f}, {:.2f}, {:.2f}) m: {}",
-                       (*scene.bodies)[piercing.body].name, at.x(), at.y(), at.z(), pairsText(piercing.pairs));
+    return Sentence("The body '{}' passes through the cloth near {} m: {}", (*scene.bodies)[piercing.body].name,
+                    fmt::format("({:.2f}, {:.2f}, {:.2f})", at.x(), at.y(), at.z()), pairsText(piercing.pairs));
   }
   if (piercing.faults.size() == 1) {
     const dressing::Fault& fault = piercing.faults.front();
-    return fmt::format("The {} passes through {}: {}", nameOf(fault.part), wallOf(fault), pairsText(fault.pairs));
+    return Sentence("{} passes through {}: {}", capitalisedNameOf(fault.part), wallOf(fault), pairsText(fault.pairs));
   }
   constexpr std::size_t longestList = 2;
   const std::size_t named = std::min(longestList, piercing.faults.size());
   const std::size_t others = piercing.faults.size() - named;
-  const std::vector<dressing::Fault> first(piercing.faults.begin(),
-                                           piercing.faults.begin() + static_cast<std::ptrdiff_t>(named));
-  std::string text = capitalised(inWords(first));
+  Sentence words;
+  for (std::size_t i = 0; i < named; ++i) {
+    const dressing::Fault& fault = piercing.faults[i];
+    words.append(", ", faultOf(fault, i == 0 ? capitalisedNameOf(fault.part) : nameOf(fault.part)));
+  }
   if (others > 0) {
-    text += others == 1 ? ", and so does 1 other part" : fmt::format(", and so do {} other parts", others);
+    words.append(", ", Sentence(text::plural(static_cast<long long>(others), "and so does {} other part",
+                                             "and so do {} other parts"),
+                                others));
   }
-  return text;
+  return words;
 }
 
-std::string inWords(const std::vector<dressing::Piercing>& piercings, const scene::Scene& scene) {
-  std::string text = inWords(piercings.front(), scene);
-  if (piercings.size() > 1) {
-    text += fmt::format("; {} other {} through the cloth too", piercings.size() - 1,
-                        piercings.size() == 2 ? "body passes" : "bodies pass");
+Sentence inWords(const std::vector<dressing::Piercing>& piercings, const scene::Scene& scene) {
+  Sentence words = inWords(piercings.front(), scene);
+  if (const std::size_t others = piercings.size() - 1; others > 0) {
+    words.append("; ",
+                 Sentence(text::plural(static_cast<long long>(others), "{} other body passes through the cloth too",
+                                       "{} other bodies pass through the cloth too"),
+                          others));
   }
-  return text;
+  return words;
 }
 
-std::string summaryOf(const dressing::Dressed& result) {
-  const std::string faults = inWords(result.faults);
-  return fmt::format("{}; {} intersected there, and {} at the end{}", inWords(result.placement.rule),
-                     inWords(result.before), inWords(result.after), faults.empty() ? "" : ": " + faults);
+Sentence summaryOf(const dressing::Dressed& result) {
+  Sentence words("{}; {} intersected there, and {} at the end", inWords(result.placement.rule), inWords(result.before),
+                 inWords(result.after));
+  return words.append(": ", inWords(result.faults));
 }
 
-std::string refusalOf(const dressing::Dressed& result, const std::string& garment) {
-  return fmt::format("{} does not go on the body: even where the body is a thin line, {}.{}", garment,
-                     inWords(result.faults), adviceOnOpenings(result));
+Sentence refusalOf(const dressing::Dressed& result, const std::string& garment) {
+  Sentence words("{} does not go on the body: even where the body is a thin line, {}.", garment,
+                 inWords(result.faults));
+  return words.append(" ", adviceOnOpenings(result));
 }
 
 void requireDressable(const WearNames& names, const sim::ClothMesh& garment, const sim::ClothMesh& body) {
@@ -162,27 +190,28 @@ void requireDressable(const WearNames& names, const sim::ClothMesh& garment, con
   const dressing::Misfit misfit = dressing::misfitOf(garment, body);
   if (misfit != dressing::Misfit::None) {
     throw messages::InputError(
-        inWords(misfit, names.garment, names.body, side(garment.positions), side(body.positions)));
+        inWords(misfit, names.garment, names.body, side(garment.positions), side(body.positions)).english());
   }
 }
 
-std::string inWords(dressing::Misfit misfit, const std::string& garment, const std::string& body, double garmentSide,
-                    double bodySide) {
+Sentence inWords(dressing::Misfit misfit, const std::string& garment, const std::string& body, double garmentSide,
+                 double bodySide) {
   switch (misfit) {
     case dressing::Misfit::OpenBody:
-      return body + ": the body has holes, so it has no inside. Close them first";
+      return Sentence("{}: the body has holes, so it has no inside. Close them first", body);
     case dressing::Misfit::NoVolume:
-      return body + ": the body has no volume, or its triangles are inside out. Turn its faces outwards first";
+      return Sentence("{}: the body has no volume, or its triangles are inside out. Turn its faces outwards first",
+                      body);
     case dressing::Misfit::GarmentTooLarge:
     case dressing::Misfit::GarmentTooSmall:
-      return fmt::format(
+      return Sentence(
           "{} is {} long and the body {}, so it cannot be worn. Give the unit of the garment "
           "(--set unit=cm) or --scale",
           garment, text::formatLength(garmentSide), text::formatLength(bodySide));
     case dressing::Misfit::None:
       break;
   }
-  return "";
+  return {};
 }
 
 }  // namespace drape::app

@@ -3,6 +3,7 @@
 #include "dressing/dressing.hpp"
 #include "dressing/piercing.hpp"
 #include "scene/scene.hpp"
+#include "text/sentence.hpp"
 
 #include <string>
 #include <vector>
@@ -10,32 +11,32 @@
 namespace drape::app {
 
 /// "the right arm passes through the sleeve's wall (35 pairs of triangles)".
-[[nodiscard]] std::string inWords(const dressing::Fault& fault);
+[[nodiscard]] text::Sentence inWords(const dressing::Fault& fault);
 
 /// All of them in one sentence, without a full stop; empty if there are none.
-[[nodiscard]] std::string inWords(const std::vector<dressing::Fault>& faults);
+[[nodiscard]] text::Sentence inWords(const std::vector<dressing::Fault>& faults);
 
 /// "12 pairs of triangles with the body and none of the garment with itself", or "no triangles".
-[[nodiscard]] std::string inWords(const dressing::Pairs& pairs);
+[[nodiscard]] text::Sentence inWords(const dressing::Pairs& pairs);
 
 /// How the garment was placed: "placed by neck, sleeves or waist".
-[[nodiscard]] std::string inWords(dressing::PlacementRule rule);
+[[nodiscard]] text::Sentence inWords(dressing::PlacementRule rule);
 
 /// What dressing does at the moment: "growing the body".
-[[nodiscard]] std::string inWords(dressing::Stage stage);
+[[nodiscard]] text::Sentence inWords(dressing::Stage stage);
 
 /// A body that passes through the cloth: "The right arm passes through the sleeve's wall: 35 pairs of triangles".
-[[nodiscard]] std::string inWords(const dressing::Piercing& piercing, const scene::Scene& scene);
+[[nodiscard]] text::Sentence inWords(const dressing::Piercing& piercing, const scene::Scene& scene);
 
 /// Several of them; the first one in full. Without a full stop. @param piercings at least one
-[[nodiscard]] std::string inWords(const std::vector<dressing::Piercing>& piercings, const scene::Scene& scene);
+[[nodiscard]] text::Sentence inWords(const std::vector<dressing::Piercing>& piercings, const scene::Scene& scene);
 
 /// How a garment that can be worn was placed, and the intersections before and after: "placed as in its file; 12 pairs
 /// of triangles ... intersected there, and no triangles at the end".
-[[nodiscard]] std::string summaryOf(const dressing::Dressed& result);
+[[nodiscard]] text::Sentence summaryOf(const dressing::Dressed& result);
 
 /// Why a garment cannot be worn, in whole sentences. @param garment its name
-[[nodiscard]] std::string refusalOf(const dressing::Dressed& result, const std::string& garment);
+[[nodiscard]] text::Sentence refusalOf(const dressing::Dressed& result, const std::string& garment);
 
 /// The names of a garment and a body for messages.
 struct WearNames {
@@ -48,7 +49,7 @@ void requireDressable(const WearNames& names, const sim::ClothMesh& garment, con
 
 /// What is wrong and what to do. Empty for Misfit::None.
 /// @param garment, body their names  @param garmentSide, bodySide their largest extents [m]
-[[nodiscard]] std::string inWords(dressing::Misfit misfit, const std::string& garment, const std::string& body,
-                                  double garmentSide, double bodySide);
+[[nodiscard]] text::Sentence inWords(dressing::Misfit misfit, const std::string& garment, const std::string& body,
+                                     double garmentSide, double bodySide);
 
 }  // namespace drape::app

@@ -48,7 +48,7 @@ Json settingsAsJson() {
   for (const settings::SettingInfo& info : settings::settingsTable()) {
     Json row{{"key", info.key}, {"title", info.title}, {"unit", info.unit}};
     addRange(info.field, row);
-    row["range"] = settings::describeRange(info);
+    row["range"] = settings::describeRange(info).english();
     row["default"] = toJson(settings::defaultValue(info));
     row["help"] = info.help;
     list.push_back(row);

@@ -67,8 +67,8 @@ nlohmann::ordered_json fabricJson(const session::Simulation& simulation) {
     return nullptr;
   }
   const settings::Settings& settings = simulation.settings();
-  return {{"title", scene::fabricsInWords(simulation.scene().cloths, settings)},
-          {"warp", scene::warpInWords(simulation.scene().cloths, settings)},
+  return {{"title", scene::fabricsInWords(simulation.scene().cloths, settings).english()},
+          {"warp", scene::warpInWords(simulation.scene().cloths, settings).english()},
           {"warp_from", scene::warpsAlongUvs(simulation.scene().cloths.front().uvs, settings) ? "uv" : "vertical"},
           {"rest_shape", restShapeJson(simulation)},
           {"slivers", simulation.model().fabric->slivers}};
@@ -87,7 +87,8 @@ nlohmann::ordered_json clothsJson(const session::Simulation& simulation) {
                                    {"triangles", cloth.triangleCount},
                                    {"mass", std::accumulate(masses, masses + cloth.vertexCount, 0.0)}};
     const settings::Settings own = scene::settingsOf(cloth.own, simulation.settings());
-    json["fabric"] = model.fabric ? nlohmann::ordered_json(settings::fabricTitle(own)) : nlohmann::ordered_json();
+    json["fabric"] =
+        model.fabric ? nlohmann::ordered_json(settings::fabricTitle(own).english()) : nlohmann::ordered_json();
     cloths.push_back(std::move(json));
   }
   return cloths;
@@ -109,7 +110,7 @@ nlohmann::ordered_json readingJson(const std::optional<scene::MeshReading>& read
           {"up_guessed", reading->upGuessed},
           {"size", reading->size},
           {"alternatives", std::move(others)},
-          {"in_words", scene::inWords(*reading)}};
+          {"in_words", scene::inWords(*reading).english()}};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ void save(const SaveArguments& arguments) {
   const auto scene = arguments.scene.load();
   const std::filesystem::path file = sceneFile(arguments.output);
   const Existing existing = arguments.replace ? Existing::Replaced : Existing::Refused;
-  for (const std::string& note : saveScene(*scene, scene::unchanged(*scene), file, existing)) {
+  for (const text::Sentence& note : saveScene(*scene, scene::unchanged(*scene), file, existing)) {
     std::cerr << "note: " << note << '\n';
   }
   std::cout << "saved " << file.string() << '\n';

@@ -7,10 +7,10 @@
 namespace drape::app {
 
 void printSolverWarnings(const settings::Settings& settings, const sim::ClothModel& model) {
-  if (const std::string words = session::solverWarning(settings, model); !words.empty()) {
+  if (const text::Sentence words = session::solverWarning(settings, model); !words.empty()) {
     std::cerr << "warning: " << settings.solver.name << ": " << words << '\n';
   }
-  if (const std::string words = session::ghostWarning(settings, model); !words.empty()) {
+  if (const text::Sentence words = session::ghostWarning(settings, model); !words.empty()) {
     std::cerr << "warning: the ghost's " << settings.ghost.solver << ": " << words << '\n';
   }
 }

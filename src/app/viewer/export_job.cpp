@@ -88,13 +88,13 @@ void ExportJob::run() {
   try {
     finish({write(), false});
   } catch (const Cancelled&) {
-    finish({"The export was cancelled", false});
+    finish({text::Sentence("The export was cancelled"), false});
   } catch (const sim::StepStopped&) {
-    finish({"The export was cancelled", false});
+    finish({text::Sentence("The export was cancelled"), false});
   } catch (const sim::SimError& error) {
-    finish({messages::messageOf(error), true});
+    finish({messages::sentenceOf(error), true});
   } catch (const std::exception& error) {
-    finish({error.what(), true});
+    finish({text::Sentence::verbatim(error.what()), true});
   }
 }
 
@@ -103,7 +103,7 @@ void ExportJob::finish(Outcome outcome) {
   outcome_ = std::move(outcome);
 }
 
-std::string ExportJob::write() {
+text::Sentence ExportJob::write() {
   session::Simulation simulation(order_.scene);
   simulation.setStopToken(stop_.get_token());
   prepare(simulation);
@@ -112,7 +112,7 @@ std::string ExportJob::write() {
   } else {
     writeMotion(simulation);
   }
-  return fmt::format("Saved {}: {} {}", order_.file, frames_, frames_ == 1 ? "frame" : "frames");
+  return text::Sentence(text::plural(frames_, "Saved {}: {} frame", "Saved {}: {} frames"), order_.file, frames_);
 }
 
 /// Gives the simulation what the user chose, its beginning, and a time step that fits the frames.
@@ -156,7 +156,7 @@ void ExportJob::simulateTo(session::Simulation& simulation, int frame) {
     stopIfCancelled();
     simulation.step();
     if (simulation.blewUp()) {
-      throw messages::InputError(simulation.message());
+      throw messages::InputError(simulation.message().english());
     }
     const std::scoped_lock lock(lock_);
     share_ = static_cast<double>(steps_ + 1) / all;

@@ -6,6 +6,7 @@
 #include "session/snapshot.hpp"
 #include "session/timeline.hpp"
 #include "session/user_state.hpp"
+#include "text/sentence.hpp"
 #include "ui/export_request.hpp"
 
 #include <chrono>
@@ -38,7 +39,7 @@ class ExportJob {
  public:
   /// How an export ended.
   struct Outcome {
-    std::string message;  ///< in one sentence
+    text::Sentence message;  ///< one sentence
     bool hasFailed = false;
   };
 
@@ -65,7 +66,7 @@ class ExportJob {
  private:
   struct Cancelled {};
   void run();
-  [[nodiscard]] std::string write();
+  [[nodiscard]] text::Sentence write();
   void prepare(session::Simulation& simulation);
   void writeMotion(session::Simulation& simulation);
   void writeFilm(session::Simulation& simulation);

@@ -17,18 +17,18 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): POSIX decl
 namespace drape::app {
 namespace {
 
-std::vector<std::string> argumentsFor(const std::string& folder) {
+std::vector<std::string> argumentsFor(const std::string& folder, const text::Catalogue& texts) {
   std::string patterns = "*.toml";
   for (const std::string& format : io::meshFormats()) {
     patterns += " *." + format;
   }
   std::vector<std::string> arguments{std::string(FileDialog::program),
                                      "--file-selection",
-                                     "--title=Open a scene or meshes",
+                                     "--title=" + texts("Open a scene or meshes"),
                                      "--multiple",
                                      "--separator=\n",
-                                     "--file-filter=Scenes and meshes | " + patterns,
-                                     "--file-filter=All files | *"};
+                                     "--file-filter=" + texts("Scenes and meshes") + " | " + patterns,
+                                     "--file-filter=" + texts("All files") + " | *"};
   if (!folder.empty()) {
     arguments.push_back("--filename=" + folder + "/");
   }
@@ -61,7 +61,7 @@ FileDialog::~FileDialog() {
   }
 }
 
-bool FileDialog::open(const std::string& folder) {
+bool FileDialog::open(const std::string& folder, const text::Catalogue& texts) {
   if (isOpen()) {
     return true;
   }
@@ -70,7 +70,7 @@ bool FileDialog::open(const std::string& folder) {
     return false;
   }
   text_.clear();
-  const int reason = start(argumentsFor(folder), ends[1], process_);
+  const int reason = start(argumentsFor(folder, texts), ends[1], process_);
   ::close(ends[1]);
   if (reason != 0) {
     process_ = -1;
@@ -110,7 +110,7 @@ std::optional<FileDialog::Outcome> FileDialog::poll() {
   Outcome outcome;
   constexpr int cancelled = 1;
   if (!WIFEXITED(status) || WEXITSTATUS(status) > cancelled) {
-    outcome.error = "The file dialog (" + std::string(program) + ") failed";
+    outcome.error = text::Sentence("The file dialog ({}) failed", program);
   } else if (WEXITSTATUS(status) == 0) {
     std::istringstream lines(text_);
     for (std::string line; std::getline(lines, line);) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "text/catalogue.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,12 +23,13 @@ class FileDialog {
   /// The outcome of a dialog that was closed.
   struct Outcome {
     std::vector<std::string> files;  ///< none: cancelled, or it failed
-    std::string error;               ///< why it failed, in words, or empty
+    text::Sentence error;            ///< why it failed, in words, or empty
   };
 
   /// Shows the dialog for scenes and meshes. Does nothing while one is open.
-  /// @param folder in which it starts; empty: the current one  @return false if zenity is not installed
-  [[nodiscard]] bool open(const std::string& folder);
+  /// @param folder in which it starts; empty: the current one  @param texts of its language  @return false if zenity is
+  /// not installed
+  [[nodiscard]] bool open(const std::string& folder, const text::Catalogue& texts);
 
   [[nodiscard]] bool isOpen() const { return process_ > 0; }
 

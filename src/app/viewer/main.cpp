@@ -1,9 +1,11 @@
 #include "app/command_line.hpp"
 #include "app/viewer/viewer.hpp"
+#include "locale/language.hpp"
 #include "messages/error.hpp"
 #include "ui/scene_loader.hpp"
 
 #include <charconv>
+#include <cstdlib>
 #include <string>
 #include <utility>
 
@@ -27,6 +29,16 @@ std::pair<int, int> parseWindowSize(const std::string& text) {
   return {sideOf(all.substr(0, comma)), sideOf(comma == std::string_view::npos ? "" : all.substr(comma + 1))};
 }
 
+/// The first of these variables of the environment that is set counts, as in other programs.
+std::string localeOfEnvironment() {
+  for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    if (const char* value = std::getenv(variable); value != nullptr && *value != '\0') {
+      return value;
+    }
+  }
+  return {};
+}
+
 }  // namespace
 }  // namespace drape::app
 
@@ -37,6 +49,7 @@ int main(int argc, char** argv) {
   scene.addTo(app);
   drape::app::ViewerOptions options;
   std::string windowSize;
+  std::string language;
   app.add_flag("--paused", options.paused, "Start paused");
   app.add_option("--window-size", windowSize, "Size of the window")
       ->type_name("WIDTH,HEIGHT")
@@ -48,10 +61,15 @@ int main(int argc, char** argv) {
                  "Write the session to this file at the end, for 'drape-headless run --replay'")
       ->type_name("FILE")
       ->check(drape::app::notEmpty());
+  app.add_option("--language", language,
+                 "Language of the window: en, de, or a catalogue file of your own; at first that of the system")
+      ->type_name("NAME|FILE")
+      ->check(drape::app::notEmpty());
   bool noSettings = false;
-  app.add_flag("--no-settings", noSettings,
-               "Neither read nor write the preferences of the window: its size and place, theme, sections and recent "
-               "files");
+  app.add_flag(
+      "--no-settings", noSettings,
+      "Neither read nor write the preferences of the window: its size and place, theme, language, sections and "
+      "recent files");
   auto* dress = app.add_subcommand("dress", "Opens the window with a garment on a body, without intersections");
   drape::app::DressingChoices dressing;
   dressing.addTo(*dress);
@@ -62,6 +80,10 @@ int main(int argc, char** argv) {
     if (!windowSize.empty()) {
       options.windowSize = drape::app::parseWindowSize(windowSize);
     }
+    if (!language.empty()) {
+      options.language = drape::locale::openLanguage(language);
+    }
+    options.usualLanguage = drape::locale::languageOfLocale(drape::app::localeOfEnvironment());
     // The first save creates a list that does not exist yet.
     auto fabrics = drape::app::readFabricList(scene.fabrics, drape::app::FabricList::Missing::Allowed);
     if (dress->parsed()) {

@@ -2,6 +2,7 @@
 
 #include "app/output_file.hpp"
 #include "app/user_folder.hpp"
+#include "locale/language.hpp"
 #include "messages/error.hpp"
 #include "scene/framing.hpp"
 #include "scene/text_file.hpp"
@@ -40,6 +41,13 @@ ui::Theme themeFrom(const std::string& name) {
     }
   }
   throw messages::InputError("there is no theme '" + name + "'");
+}
+
+std::string languageFrom(const std::string& name) {
+  if (!name.empty() && locale::findLanguage(name) == nullptr) {
+    throw messages::InputError("there is no language '" + name + "'");
+  }
+  return name;
 }
 
 Json pointJson(const Vec3& point) {
@@ -143,6 +151,7 @@ std::string preferencesText(const Preferences& preferences) {
     json["window"] = {{"x", place->x}, {"y", place->y}, {"width", place->width}, {"height", place->height}};
   }
   json["theme"] = ui::themes()[static_cast<std::size_t>(preferences.theme)].name;
+  json["language"] = preferences.language;
   json["folder"] = preferences.folder;
   json["recent_files"] = preferences.recentFiles;
   json["sections"] = preferences.sections;
@@ -158,6 +167,7 @@ Preferences preferencesFrom(const std::string& text) {
       preferences.window = placeFrom(json.at("window"));
     }
     preferences.theme = themeFrom(json.value("theme", std::string(ui::themes().front().name)));
+    preferences.language = languageFrom(json.value("language", std::string()));
     preferences.folder = json.value("folder", std::string());
     preferences.recentFiles = json.value("recent_files", std::vector<std::string>());
     preferences.recentFiles.resize(std::min(preferences.recentFiles.size(), Preferences::maxRecentFiles));

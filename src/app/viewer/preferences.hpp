@@ -36,6 +36,7 @@ struct SceneViews {
 struct Preferences {
   std::optional<WindowPlace> window;
   ui::Theme theme = ui::Theme::Dark;
+  std::string language;                  ///< that the user chose; empty: none, that of the system
   std::string folder;                    ///< of the last opened or saved file; empty: none
   std::vector<std::string> recentFiles;  ///< that were opened, the newest first; absolute paths
   std::map<std::string, bool> sections;  ///< by title, whether the user opened or closed them

@@ -190,10 +190,11 @@ class PlaceFinder {
 };
 
 std::string messageOf(const ViewerStatus& status) {
+  const text::Catalogue& texts = status.panels.language().texts;
   if (!status.stats.error.empty()) {
-    return status.stats.error;
+    return texts(status.stats.error);
   }
-  return status.snapshot.message.empty() ? status.stats.notice : status.snapshot.message;
+  return texts(status.snapshot.message.empty() ? status.stats.notice : status.snapshot.message);
 }
 
 Json describeSimulation(const session::Snapshot& snapshot) {
@@ -211,7 +212,7 @@ Json describeSimulation(const session::Snapshot& snapshot) {
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
           {"choice", app::toJson(snapshot.stepReport.choice)},
-          {"warning", session::solverWarning(snapshot.settings, *snapshot.model)}};
+          {"warning", session::solverWarning(snapshot.settings, *snapshot.model).english()}};
 }
 
 Json colourMapOf(const ViewerStatus& status) {
@@ -247,7 +248,7 @@ Json dressingOf(const ui::UiStats& stats) {
   if (!stats.dressing) {
     return nullptr;
   }
-  return {{"words", stats.dressing->words}, {"share", stats.dressing->share}};
+  return {{"words", stats.dressing->words.english()}, {"share", stats.dressing->share}};
 }
 
 Json placingOf(const ui::UiStats& stats, const scene::Scene& scene) {
@@ -274,7 +275,7 @@ Json piercingOf(const ui::UiStats& stats) {
   if (!stats.piercing) {
     return nullptr;
   }
-  return {{"words", stats.piercing->text}, {"pairs", stats.piercing->pairs}};
+  return {{"words", stats.piercing->text.english()}, {"pairs", stats.piercing->pairs}};
 }
 
 Json describeAll(const ViewerStatus& status) {
@@ -293,6 +294,7 @@ Json describeAll(const ViewerStatus& status) {
   json["panels"] = status.panels.panelsVisible();
   json["help"] = status.panels.helpVisible();
   json["theme"] = ui::themes()[static_cast<std::size_t>(status.panels.theme())].name;
+  json["language"] = status.panels.language().name;
   json["widgets"] = toJson(status.panels.widgets());
   json["buttons"] = toJson(status.panels.buttons());
   json["colour_map"] = colourMapOf(status);
@@ -311,7 +313,7 @@ Json describeAll(const ViewerStatus& status) {
   json["free_point"] = places.freePoint();
   json["cloth_points"] = places.clothPoints();
   json["bodies"] = places.bodies();
-  json["loading"] = status.stats.loading;
+  json["loading"] = status.stats.loading.english();
   json["loading_share"] = status.stats.loadingShare;
   json["message"] = messageOf(status);
   json["status"] = status.panels.status();

@@ -49,6 +49,7 @@ class StatusFile {
       "  window, view             sizes and the position of the picture, in window coordinates\n"
       "  panels, help             whether they are visible\n"
       "  theme                    dark or light\n"
+      "  language                 name of the language of the panels, such as en\n"
       "  widgets, buttons         rectangles by setting key or name, in window coordinates\n"
       "  cloth_points             places in the window where the cloth can be clicked\n"
       "  free_point               a place in the picture without cloth, or null\n"

@@ -2,6 +2,7 @@
 
 #include "app/session_log.hpp"
 #include "app/viewer/process_age.hpp"
+#include "messages/sim_error_text.hpp"
 #include "settings/settings_table.hpp"
 
 #include <GL/glew.h>
@@ -98,9 +99,9 @@ Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabr
   if (!options.recordFile.empty()) {
     record_.emplace(options.recordFile, "the session log");
   }
-  restorePreferences();
+  restorePreferences(options);
   if (!fabrics_.problem().empty()) {
-    showError(fabrics_.problem());
+    showError(text::Sentence::verbatim(fabrics_.problem()));
   }
 }
 
@@ -149,10 +150,11 @@ void Viewer::frame() {
   stats_.fields = &fields_;
   panels_.build(snapshot, stats_, output);
   controller_.setView(panels_.view(), display_.scale);
+  const session::Snapshot& shown = controller_.placing().shown(snapshot);  // with the gizmo that the panels have drawn
   handleInput(snapshot, output);
   followCamera(snapshot);
   watchChanges(snapshot, output);
-  draw(snapshot);
+  draw(shown);
   status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, firstFrameSeconds_});
   execute(output, snapshot);
   takeChosenFiles(snapshot);
@@ -165,7 +167,7 @@ void Viewer::draw(const session::Snapshot& snapshot) {
     return std::max(1, static_cast<int>(std::lround(length * display_.density)));
   };
   const bool places = controller_.placing().isOn();  // then the picture shows the start, which has no field
-  renderer_.draw(controller_.placing().shown(snapshot), controller_.camera(), pixels(view.width), pixels(view.height),
+  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height),
                  {.field = places ? nullptr : stats_.field, .picked = panels_.picked().vertices()});
   blit(view);
   panels_.renderDrawData();
@@ -200,7 +202,7 @@ void Viewer::updateStats(Clock::time_point now) {
   stats_.frameSeconds += frameSmoothing * (seconds - stats_.frameSeconds);
   stats_.loading = loader_.activity();
   if (now > noticeEnds_) {
-    stats_.notice.clear();
+    stats_.notice = {};
   }
 }
 
@@ -254,8 +256,8 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     }
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
-    const std::string left = std::exchange(notOpened_, {});
-    showNotice("Opened " + outcome->scene->description.name + (left.empty() ? "" : ". " + left));
+    text::Sentence notice("Opened {}", outcome->scene->description.name);
+    showNotice(notice.append(". ", std::exchange(notOpened_, {})));
   }
 }
 
@@ -279,9 +281,9 @@ void Viewer::followScene(const session::Snapshot& snapshot) {
     resizedScene_.reset();
   }
   if (!shownScene_->summary.warnings.empty()) {
-    showNotice(shownScene_->summary.warnings.front());
+    showNotice(text::Sentence::verbatim(shownScene_->summary.warnings.front()));
   } else if (!shownScene_->description.notes.empty()) {
-    showNotice(shownScene_->description.notes.front());
+    showNotice(text::Sentence::verbatim(shownScene_->description.notes.front()));
   }
 }
 
@@ -334,14 +336,18 @@ void Viewer::execute(ui::UiOutput& output, const session::Snapshot& snapshot) {
   }
 }
 
-void Viewer::showNotice(const std::string& notice) {
+void Viewer::showNotice(const ui::Wording& notice) {
   stats_.notice = notice;
   noticeEnds_ = Clock::now() + noticeTime;
 }
 
-void Viewer::showError(const std::string& error) {
+void Viewer::showError(const ui::Wording& error) {
   stats_.error = error;
   ++stats_.failures;
+}
+
+void Viewer::showFailure(const std::exception& error) {
+  showError(messages::sentenceOf(error));
 }
 
 }  // namespace drape::app

@@ -12,6 +12,7 @@
 #include "app/viewer/status_file.hpp"
 #include "app/viewer/window_events.hpp"
 #include "fields/shown_field.hpp"
+#include "locale/language.hpp"
 #include "render/renderer.hpp"
 #include "render/window_context.hpp"
 #include "session/simulation_thread.hpp"
@@ -36,6 +37,8 @@ struct ViewerOptions {
   std::optional<std::pair<int, int>> windowSize;  ///< [window units]
   std::filesystem::path statusFile;               ///< empty: none
   std::optional<DressingChoices> dressing;        ///< how the first scene is dressed; empty: as usual
+  std::optional<locale::Language> language;       ///< that the user asks for
+  locale::Language usualLanguage;                 ///< that of the system, where the user has chosen none
   std::string recordFile;                         ///< of the session log (app/session_log.hpp); empty: none
 };
 
@@ -70,6 +73,7 @@ class Viewer {
   void on(const ui::SaveClothRequest& request, const session::Snapshot& snapshot);
   void on(const ui::SaveSceneRequest& request, const session::Snapshot& snapshot);
   void on(const ui::ThemeRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::LanguageRequest& request, const session::Snapshot& snapshot);
   void on(const ui::PickVertexRequest& request, const session::Snapshot& snapshot);
   void on(const ui::PlacingRequest& request, const session::Snapshot& snapshot);
   void startPlacing(ui::UiAction action, const session::Snapshot& snapshot);
@@ -98,15 +102,16 @@ class Viewer {
   void takeChosenFiles(const session::Snapshot& snapshot);
   void noteOpenedFiles(const scene::SceneParts& parts);
   void noteFile(const std::filesystem::path& file);
-  void restorePreferences();
+  void restorePreferences(const ViewerOptions& options);
   void keepPreferences();
   void keepOwnFabrics(const session::Snapshot& snapshot);
   void resetAll(const session::Snapshot& snapshot);
   void stopLoadingOrQuit(const session::Snapshot& snapshot);
   void quitOrAsk(const session::Snapshot& snapshot);
   void saveScreenshot(const session::Snapshot& snapshot);
-  void showNotice(const std::string& notice);
-  void showError(const std::string& error);
+  void showNotice(const ui::Wording& notice);
+  void showError(const ui::Wording& error);
+  void showFailure(const std::exception& error);
   [[nodiscard]] ui::UiDisplay measureDisplay(double fontScaleSetting) const;
   void updateStats(Clock::time_point now);
 
@@ -141,7 +146,7 @@ class Viewer {
   std::shared_ptr<const scene::Scene> resizedScene_;  ///< not shown yet; the camera will keep its direction
   std::filesystem::path savedFile_;                   ///< of this scene, if the user saved it; empty: none
   std::optional<session::UserState> savedState_;      ///< in that file
-  std::string notOpened_;                             ///< dropped files that were not opened, and why
+  text::Sentence notOpened_;                          ///< dropped files that were not opened, and why
   ui::UiStats stats_;
   fields::SnapshotFields fields_;
   fields::FieldDisplay fieldDisplay_;

@@ -2,9 +2,7 @@
 #include "app/viewer/viewer.hpp"
 #include "sim/model/bounds.hpp"
 
-#include <fmt/core.h>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -72,7 +70,7 @@ void Viewer::dress(const session::Snapshot& snapshot) {
   if (dressing_ || sceneToDress_) {
     return;
   }
-  stats_.error.clear();
+  stats_.error = {};
   const PiercingWatch::Found& found = piercings_.found();
   const std::vector<PlacedBody> now = bodiesOf(snapshot);
   const PlacedBody* body = bodyToDress(now, snapshot, found.piercings);
@@ -146,8 +144,8 @@ void Viewer::followDressing(const session::Snapshot& snapshot) {
   }
   lastChange_ = Clock::now();
   const DressingJob::Progress progress = dressing_->progress();
-  stats_.dressing = {fmt::format("Dressing {}: {}, {:.0f} %", dressing_->names().body, inWords(progress.stage),
-                                 std::floor(100.0 * progress.share)),
+  stats_.dressing = {text::Sentence("Dressing {}: {}, {} %", dressing_->names().body, inWords(progress.stage),
+                                    static_cast<int>(100.0 * progress.share)),
                      progress.share};
   if (const auto outcome = dressing_->poll()) {
     dressing_.reset();

@@ -15,11 +15,11 @@ void Viewer::on(const ui::ExportRequest& request, const session::Snapshot& snaps
     if (export_) {
       throw messages::InputError("an export is running; cancel it first");
     }
-    stats_.error.clear();
+    stats_.error = {};
     const std::string file = exportName(request, std::filesystem::current_path(), snapshot.scene->description.name);
     if (request.format->kind == ui::ExportKind::Frame) {
       exportFrame(*snapshot.scene, *snapshot.model, snapshot.positions, file);
-      showNotice("Saved " + file);
+      showNotice(text::Sentence("Saved {}", file));
       return;
     }
     ExportOrder order{request, file, snapshot.scene, snapshot.placedStart, undo_.present(), {}};
@@ -33,7 +33,7 @@ void Viewer::on(const ui::ExportRequest& request, const session::Snapshot& snaps
     stats_.exporting = export_->progress();
   } catch (const std::exception& error) {
     filmPainter_.reset();
-    showError(error.what());
+    showFailure(error);
   }
 }
 

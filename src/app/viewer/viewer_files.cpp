@@ -93,26 +93,34 @@ void Viewer::on(const ui::SaveSceneRequest& request, const session::Snapshot& sn
       return;
     }
     const session::UserState& state = undo_.present();
-    std::string notice = "Saved " + file.string();
+    text::Sentence notice("Saved {}", file.string());
     scene::SceneNow now = sceneNow(state, snapshot);
     now.camera = controller_.viewForScene();
-    for (const std::string& note : saveScene(*snapshot.scene, now, file, Existing::Replaced)) {
-      notice += ". " + note;
+    for (const text::Sentence& note : saveScene(*snapshot.scene, now, file, Existing::Replaced)) {
+      notice.append(". ", note);
     }
     if (snapshot.placedStart) {
-      notice += ". It starts with the garment as its mesh file has it; press Dress there again";
+      notice.append(". ",
+                    text::Sentence("It starts with the garment as its mesh file has it; press Dress there again"));
     }
     savedFile_ = file;
     savedState_ = state;
     noteFile(file);
     showNotice(notice);
   } catch (const std::exception& error) {
-    showError(error.what());
+    showFailure(error);
   }
 }
 
 void Viewer::on(const ui::ThemeRequest& request, const session::Snapshot& /*snapshot*/) {
   panels_.useTheme(request.theme);
+}
+
+void Viewer::on(const ui::LanguageRequest& request, const session::Snapshot& /*snapshot*/) {
+  if (const locale::Language* chosen = locale::findLanguage(request.name)) {
+    panels_.useLanguage(*chosen);
+    preferences_.language = chosen->name;
+  }
 }
 
 void Viewer::watchChanges(const session::Snapshot& snapshot, ui::UiOutput& output) {
@@ -155,14 +163,13 @@ std::string Viewer::sceneKey(const session::Snapshot& snapshot) const {
 
 void Viewer::keepView(std::size_t place, const session::Snapshot& snapshot) {
   preferences_.keepView(sceneKey(snapshot), place, controller_.camera().pose());
-  showNotice("This is now view " + std::to_string(place + 1) + " of the scene");
+  showNotice(text::Sentence("This is now view {} of the scene", place + 1));
 }
 
 void Viewer::recallView(std::size_t place, const session::Snapshot& snapshot) {
   const SceneViews* views = preferences_.viewsOf(sceneKey(snapshot));
   if (views == nullptr || !views->views[place]) {
-    showNotice("There is no view " + std::to_string(place + 1) + " yet; Ctrl+F" + std::to_string(place + 5) +
-               " keeps the present one");
+    showNotice(text::Sentence("There is no view {} yet; Ctrl+F{} keeps the present one", place + 1, place + 5));
     return;
   }
   controller_.recall(render::Camera(*views->views[place]));
@@ -176,10 +183,12 @@ bool Viewer::hasUnsavedChanges(const session::Snapshot& snapshot) const {
 void Viewer::openFileDialog() {
   std::error_code error;
   const bool exists = std::filesystem::is_directory(preferences_.folder, error);
-  if (!dialog_.open(exists ? preferences_.folder : std::string())) {
+  if (!dialog_.open(exists ? preferences_.folder : std::string(), panels_.language().texts)) {
     panels_.showOpenField();
-    showNotice("The file dialog needs the program " + std::string(FileDialog::program) +
-               ", which is not installed. Type the path in the field \"Open a file\", or drop a file on the window");
+    showNotice(
+        text::Sentence("The file dialog needs the program {}, which is not installed. Type the path in the field "
+                       "\"Open a file\", or drop a file on the window",
+                       FileDialog::program));
   }
 }
 
@@ -190,7 +199,7 @@ void Viewer::takeChosenFiles(const session::Snapshot& snapshot) {
   }
   if (!outcome->error.empty()) {
     panels_.showOpenField();
-    showNotice(outcome->error + ". Type the path in the field \"Open a file\"");
+    showNotice(text::Sentence("{}. Type the path in the field \"Open a file\"", outcome->error));
   } else if (!outcome->files.empty()) {
     on(ui::DroppedRequest{outcome->files}, snapshot);
   }
@@ -220,7 +229,9 @@ void Viewer::noteFile(const std::filesystem::path& file) {
   stats_.recentFiles = preferences_.recentFiles;
 }
 
-void Viewer::restorePreferences() {
+void Viewer::restorePreferences(const ViewerOptions& options) {
+  const locale::Language* kept = locale::findLanguage(preferences_.language);
+  panels_.useLanguage(options.language ? *options.language : kept != nullptr ? *kept : options.usualLanguage);
   if (keepsWindowPlace_ && preferences_.window) {
     const auto [width, height] = fittingSize(*preferences_.window);
     glfwSetWindowSize(window_.window(), width, height);
@@ -232,7 +243,7 @@ void Viewer::restorePreferences() {
   panels_.restoreSections(preferences_.sections);
   stats_.recentFiles = preferences_.recentFiles;
   if (!preferencesFile_.problem().empty()) {
-    showError(preferencesFile_.problem());
+    showError(text::Sentence::verbatim(preferencesFile_.problem()));
   }
 }
 
@@ -256,7 +267,7 @@ void Viewer::keepPreferences() {
     preferences_.window = place;
   }
   if (const std::string problem = preferencesFile_.keep(preferences_); !problem.empty()) {
-    showError(problem);
+    showError(text::Sentence::verbatim(problem));
   }
 }
 

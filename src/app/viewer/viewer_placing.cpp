@@ -35,6 +35,15 @@ void Viewer::keepPinsAndBodies(const scene::Scene& built, const session::Snapsho
     }
     simulation_.post(std::move(pins));
   }
+  if (pinned.size() == built.model->pinned.size()) {
+    std::vector<scene::PinPath> paths = *snapshot.pinPaths;
+    for (scene::PinPath& path : paths) {
+      path = scene::pathOf(path.vertices, path.motion, built.start.positions);
+    }
+    if (paths != built.pinPaths) {
+      simulation_.post(session::SetPinPathsCommand{std::move(paths), false});
+    }
+  }
   for (std::size_t i = 0; i < snapshot.bodies.size() && i < built.bodies->size(); ++i) {
     const session::BodyStatus& status = snapshot.bodies[i];
     const int body = static_cast<int>(i);

@@ -16,7 +16,7 @@
 namespace drape::app {
 
 void Viewer::on(const ui::OpenSceneRequest& request, const session::Snapshot& snapshot) {
-  notOpened_.clear();  // the message about files that were dropped earlier
+  notOpened_ = {};  // the message about files that were dropped earlier
   on(ui::OpenPartsRequest{{.scene = request.nameOrPath}}, snapshot);
 }
 
@@ -37,7 +37,7 @@ void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snap
 }
 
 void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot) {
-  stats_.error.clear();
+  stats_.error = {};
   loader_.open(
       request.parts,
       [current = snapshot.settings, own = snapshot.scene->description.settings](settings::Settings& target) {
@@ -48,7 +48,7 @@ void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& sn
 }
 
 void Viewer::on(const ui::RebuildSceneRequest& request, const session::Snapshot& snapshot) {
-  stats_.error.clear();
+  stats_.error = {};
   using Kind = ui::SceneLoader::Kind;
   const scene::Placements placements = request.placements.value_or(controller_.placing().placements(snapshot));
   if (request.placements) {
@@ -70,9 +70,9 @@ void Viewer::on(const ui::SaveFabricRequest& request, const session::Snapshot& s
     }
     simulation_.post(session::SetOwnFabricsCommand{settings::withOwnFabric(snapshot.settings.fabric.own, fabric)});
     simulation_.post(session::UseFabricCommand{fabric});
-    showNotice("Saved the fabric '" + fabric.name + "' in " + file.string());
+    showNotice(text::Sentence("Saved the fabric '{}' in {}", fabric.name, file.string()));
   } catch (const messages::InputError& error) {
-    showError(error.what());
+    showFailure(error);
   }
 }
 
@@ -178,7 +178,7 @@ void Viewer::selectOrPin(ui::UiAction action, const session::Snapshot& snapshot)
 
 /// Loads the scene as it is when its mesh settings and placements are the author's; otherwise builds it again.
 void Viewer::resetAll(const session::Snapshot& snapshot) {
-  stats_.error.clear();
+  stats_.error = {};
   const scene::Scene& scene = *snapshot.scene;
   settings::Settings own = scene.description.settings;
   ui::useWindowDefaults(own);
@@ -237,9 +237,9 @@ void Viewer::saveScreenshot(const session::Snapshot& snapshot) {
       panels_.drawLegend(bare, stats_, static_cast<int>(view.width), static_cast<int>(view.height));
     }
     render::writePng(renderer_.read(), file);
-    showNotice("Saved " + file.string());
+    showNotice(text::Sentence("Saved {}", file.string()));
   } catch (const std::exception& error) {
-    showError(error.what());
+    showFailure(error);
   }
 }
 
@@ -249,9 +249,9 @@ void Viewer::on(const ui::SaveClothRequest& request, const session::Snapshot& sn
         request.path.empty() ? freeName(std::filesystem::current_path(), snapshot.scene->description.name, ".obj")
                              : std::filesystem::absolute(request.path);
     exportFrame(*snapshot.scene, *snapshot.model, snapshot.positions, file);
-    showNotice("Saved " + file.string());
+    showNotice(text::Sentence("Saved {}", file.string()));
   } catch (const std::exception& error) {
-    showError(error.what());
+    showFailure(error);
   }
 }
 
@@ -268,9 +268,9 @@ void Viewer::saveProbes(const session::Snapshot& snapshot) {
     if (!replaceFile(file, panels_.picked().csv())) {
       throw messages::InputError("could not write " + file.string() + ": " + std::strerror(errno));
     }
-    showNotice("Saved " + file.string());
+    showNotice(text::Sentence("Saved {}", file.string()));
   } catch (const std::exception& error) {
-    showError(error.what());
+    showFailure(error);
   }
 }
 

@@ -171,7 +171,7 @@ CaseResult runHardCase(const HardCase& hardCase, const CaseOptions& options) {
   result.figures = trial.figures();
   result.words = wordsOf(trial, ended);
   if (result.outcome == CaseOutcome::Failed && trial.warning()) {
-    result.warning = messages::inWords(*trial.warning());
+    result.warning = messages::inWords(*trial.warning()).english();
   }
   result.seconds = trial.seconds();
   return result;

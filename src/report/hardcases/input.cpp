@@ -83,13 +83,13 @@ void nothingThere(CaseTrial& trial) {
   WatchedCloth weightless(trial, sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners));
   weightless.apply(session::SetSettingCommand{"mass", 0.0});
   untold += weightless.simulation().message().empty() ? 1 : 0;
-  trial.say("Mass 0: " + weightless.simulation().message());
+  trial.say("Mass 0: " + weightless.simulation().message().english());
   weightless.run(seconds);
   try {
     static_cast<void>(sim::buildClothModel(cloth.mesh, 0.0, sim::MassLumping::Uniform, {}));
     ++untold;
   } catch (const sim::ClothModelError& error) {
-    trial.say(messages::inWords(error));
+    trial.say(messages::inWords(error).english());
   }
 
   CaseCloth doubled = sheetCloth(trial.settings({"stiffness=1000"}), resolution, Pinned::TwoCorners);

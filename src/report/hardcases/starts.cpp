@@ -102,7 +102,7 @@ void onePoint(CaseTrial& trial) {
   const std::uint64_t first = hashAfter(0.1);
   const std::uint64_t second = hashAfter(0.1);
   trial.expect("runs that differ", "", first == second ? 0.0 : 1.0, 0.0);
-  trial.say(WatchedCloth(trial, cloth).simulation().message());
+  trial.say(WatchedCloth(trial, cloth).simulation().message().english());
   WatchedCloth watched(trial, cloth);
   watched.run(trial.pick(5.0, 3.0));
   trial.expect("mean length missing", "%", 100.0 * (1.0 - meanLengthRatio(watched.model(), watched.state())),

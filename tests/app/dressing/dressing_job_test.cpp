@@ -51,7 +51,7 @@ TEST(DressingJob, endsWithAGarmentThatNoBodyPassesThrough) {
   ASSERT_TRUE(outcome.placed);
   EXPECT_TRUE(outcome.placed->isStart);
   EXPECT_EQ(pairsOf(outcome.placed->positions, garment, body), 0U);
-  EXPECT_NE(outcome.message.find("Dressed tube on egg"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.english().find("Dressed tube on egg"), std::string::npos) << outcome.message;
   EXPECT_FALSE(job.poll()) << "an outcome is told once";
 }
 
@@ -86,7 +86,7 @@ TEST(DressingJob, saysWhyAGarmentCannotBeWornAndMovesNothing) {
   const DressingJob::Outcome outcome = outcomeOf(job);
   EXPECT_TRUE(outcome.hasFailed);
   EXPECT_FALSE(outcome.placed);
-  EXPECT_NE(outcome.message.find("the right arm passes through the sleeve's wall"), std::string::npos)
+  EXPECT_NE(outcome.message.english().find("the right arm passes through the sleeve's wall"), std::string::npos)
       << outcome.message;
 }
 
@@ -96,7 +96,7 @@ TEST(DressingJob, saysWhatIsWrongWithABody) {
   DressingJob job(orderOf(tube(0.19, 0.4), open));
   const DressingJob::Outcome outcome = outcomeOf(job);
   EXPECT_TRUE(outcome.hasFailed);
-  EXPECT_NE(outcome.message.find("egg: the body has holes"), std::string::npos) << outcome.message;
+  EXPECT_NE(outcome.message.english().find("egg: the body has holes"), std::string::npos) << outcome.message;
 }
 
 TEST(DressingJob, isCancelled) {

@@ -50,7 +50,7 @@ TEST(PiercingText, namesTheTwoPartsWithTheMostPairsAndCountsTheOthers) {
             "pairs of triangles), and so do 2 other parts");
   Piercing less = piercing;
   less.faults.pop_back();
-  EXPECT_TRUE(inWords(less, sceneWithBall()).ends_with(", and so does 1 other part"));
+  EXPECT_TRUE(inWords(less, sceneWithBall()).english().ends_with(", and so does 1 other part"));
 }
 
 TEST(PiercingText, saysWhereABodyWithoutPartsIs) {
