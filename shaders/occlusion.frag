@@ -5,12 +5,11 @@
 uniform sampler2D depths;   // of occlusion_surface.frag
 uniform sampler2D normals;  // likewise
 
-in vec2 place;
 out vec4 result;  // x: the fraction; y: the depth
 
 const int samples = 10;
 const float turns = 3.0;      // of the spiral of samples
-const float strength = 2.2;   // how much light depths take
+const float strength = 2.2;   // how much light surfaces take from each other
 const float bias = 0.02;      // of the radius; smaller steps do not count, such as those between flat triangles
 const float widest = 0.12;    // largest radius of the samples, in heights of the picture
 const float farAway = 1e4;    // deeper than any surface [m]

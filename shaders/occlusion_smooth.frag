@@ -3,7 +3,6 @@
 
 uniform sampler2D rough;
 
-in vec2 place;
 out vec4 result;
 
 void main() {

@@ -35,8 +35,6 @@ void fill(const ShaderProgram& program, GLuint framebuffer, const char* input, G
 
 }  // namespace
 
-AmbientOcclusion::AmbientOcclusion() = default;
-
 void AmbientOcclusion::allocate(int width, int height) {
   width_ = width;
   height_ = height;

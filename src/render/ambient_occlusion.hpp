@@ -13,8 +13,6 @@ namespace drape::render {
 /// Luebke 2012, "Scalable ambient obscurance").
 class AmbientOcclusion {
  public:
-  AmbientOcclusion();
-
   /// Computes the map for a picture of that size [pixels]. Needs an uploaded frame block. Leaves another framebuffer
   /// bound.
   void draw(std::span<const SmoothMesh* const> meshes, int width, int height);

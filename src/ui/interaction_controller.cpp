@@ -2,6 +2,7 @@
 
 #include "render/picking.hpp"
 #include "sim/model/bounds.hpp"
+#include "ui/body_picking.hpp"
 #include "ui/pin_keys.hpp"
 
 #include <algorithm>
@@ -41,14 +42,8 @@ std::optional<BodyHit> bodyHitBy(const render::Ray& ray, const session::Snapshot
         std::holds_alternative<sim::contact::PlaneShape>(body.shape)) {
       continue;
     }
-    sim::contact::BodySurface surface = sim::contact::surfaceOf(body.shape);
-    if (!status.vertices.empty()) {
-      surface.positions = status.vertices;
-    }
-    const render::Ray local{status.pose.toLocal(ray.origin), status.pose.rotation.conjugate() * ray.direction};
-    std::optional<render::Hit> hit = render::pick(local, surface.positions, surface.triangles);
+    const std::optional<render::Hit> hit = pickBody(ray, body, status);
     if (hit && (!nearest || hit->distance < nearest->hit.distance)) {
-      hit->point = status.pose.toWorld(hit->point);
       nearest = BodyHit{i, *hit};
     }
   }
@@ -65,17 +60,14 @@ render::CameraBounds boundsAround(const session::Snapshot& snapshot, const scene
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
-  const auto* pulling = std::get_if<Pulling>(&gesture_);
-  if (pulling != nullptr && pulling->scene != snapshot.scene) {
-    gesture_ = Idle{};  // another scene is running, so the attachment is gone
-  }
-  const auto* moving = std::get_if<MovingBody>(&gesture_);
-  if (moving != nullptr && moving->scene != snapshot.scene) {
-    gesture_ = Idle{};
-  }
-  const auto* pins = std::get_if<MovingPins>(&gesture_);
-  if (pins != nullptr && pins->scene != snapshot.scene) {
-    gesture_ = Idle{};
+  const auto holdsOtherScene = [&](const auto& gesture) {
+    if constexpr (requires { gesture.scene; }) {
+      return gesture.scene != snapshot.scene;
+    }
+    return false;
+  };
+  if (std::visit(holdsOtherScene, gesture_)) {
+    gesture_ = Idle{};  // another scene is running, so what the gesture held is gone
   }
   std::visit([&](const auto& each) { on(each, snapshot, output); }, event);
 }

@@ -21,7 +21,7 @@ using sim::contact::Keyframe;
 constexpr double arrivalTime = 1.0;      // until a change that does not arrive is forgotten [s]
 constexpr double minGap = 0.001;         // between two keyframes [s]
 constexpr double maxTime = 1e4;          // [s]
-constexpr double maxDisplacement = 1e3;  // displacement [m]
+constexpr double maxDisplacement = 1e3;  // [m]
 constexpr double maxTurn = 36e3;         // [degrees]
 
 /// Numbers that a drag or Ctrl+click changes, with a label at the left.

@@ -2,6 +2,7 @@
 
 #include "render/picking.hpp"
 #include "sim/model/bounds.hpp"
+#include "ui/body_picking.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -110,12 +111,7 @@ void addBodies(const render::Ray& ray, const session::Snapshot& snapshot, Neares
     if (i < placeable ? !status.on || !body.drawn : !isStand) {
       continue;
     }
-    sim::contact::BodySurface surface = sim::contact::surfaceOf(body.shape);
-    if (!status.vertices.empty()) {
-      surface.positions = status.vertices;
-    }
-    const render::Ray local{status.pose.toLocal(ray.origin), status.pose.rotation.conjugate() * ray.direction};
-    if (const auto hit = render::pick(local, surface.positions, surface.triangles)) {
+    if (const auto hit = pickBody(ray, body, status)) {
       nearest.add(hit->distance,
                   isStand ? PlacedHit{std::nullopt,
                                       "The stand cannot be placed. Write it as a body in the scene file to move it."}

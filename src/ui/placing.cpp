@@ -284,7 +284,6 @@ std::optional<PlacingView> Placing::view(const session::Snapshot& snapshot, cons
   view.placement = shownPlacements(snapshot).of(thing_);
   view.rawMiddle = rawMiddle(snapshot);
   view.middle = view.placement.applied(view.rawMiddle);
-  view.isPlaced = view.placement != scene::writtenPlacementsOf(snapshot.scene->description).of(thing_);
   view.isBuilding = isBuilding();
   view.box = edgesOf(shape(snapshot), view.placement, picture);
   const Gizmo gizmo(tool_, view.middle, scale);

@@ -43,7 +43,6 @@ struct PlacingView {
   scene::Placement placement;            ///< as it is shown: with the drag that is under way
   Vec3 middle = Vec3::Zero();            ///< of the box around the thing, so placed [m]
   Vec3 rawMiddle = Vec3::Zero();         ///< the same without the placement [m]
-  bool isPlaced = false;                 ///< whether the placement differs from that of the scene file
   bool isBuilding = false;               ///< whether the scene with this placement is not there yet
   std::vector<GizmoLine> handles;        ///< in the order in which they are drawn
   std::vector<std::array<Vec2, 2>> box;  ///< the edges of the box around the thing [window units]

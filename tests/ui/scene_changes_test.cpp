@@ -54,6 +54,19 @@ TEST_F(SceneChanges, APinIsAChange) {
   EXPECT_TRUE(changed(session::TogglePinCommand{}));
 }
 
+TEST_F(SceneChanges, KeyframesOfPinsAreAChangeUntilTheyAreSaved) {
+  sim::contact::BodyMotion motion;
+  motion.keyframes = {{0.0, Vec3::Zero(), Vec3::Zero()}, {1.0, Vec3(0.0, 0.2, 0.0), Vec3::Zero()}};
+  const session::SetPinPathsCommand command{{scene::pathOf({0}, motion, scene_->start.positions)}};
+  simulation_.capture(snapshot_);
+  const session::UserState before = session::userStateOf(snapshot_);
+  EXPECT_TRUE(changed(command));
+  const session::UserState saved = session::userStateOf(snapshot_);
+  EXPECT_TRUE(hasChanges(saved, before));
+  EXPECT_FALSE(hasChanges(saved, saved));
+  EXPECT_FALSE(changed(session::SetPinPathsCommand{}));
+}
+
 TEST_F(SceneChanges, ABodyThatIsSwitchedOffOrMovedIsAChange) {
   EXPECT_TRUE(changed(session::SwitchBodyCommand{0, false}));
   EXPECT_FALSE(changed(session::SwitchBodyCommand{0, true}));
