@@ -9,9 +9,8 @@
 namespace drape::text {
 
 /// A sentence, or a part of one, that can be shown in every language of a Catalogue: an English template, and what
-/// fills its placeholders. `{}` stands for the next argument. A translation may name them in another order, as `{1}`
-/// and
-/// `{0}`. Templates with numbers need one for each plural.
+/// fills its placeholders. `{}` stands for the next argument; `{0}` and `{1}` name arguments, so that a translation can
+/// take them in another order. A sentence with a number needs one template for one thing and one for several.
 ///
 ///     Sentence("{} is {} m long", name, figure(length))
 class Sentence {
