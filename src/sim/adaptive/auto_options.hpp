@@ -10,6 +10,8 @@ struct AutoOptions {
   /// 0: never (StretchChoice).
   double strainLimit = 0.0;
   double errorTolerance = 1e-4;  ///< allowed mean position error after 0.2 s of motion [m]
+  /// Divides the contact substeps, and multiplies the substeps in each, for a more accurate motion to compare with [-].
+  int refinement = 1;
 };
 
 }  // namespace drape::sim::adaptive

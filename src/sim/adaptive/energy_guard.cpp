@@ -46,8 +46,8 @@ std::uint64_t fingerprintOf(const StepPlan& plan) {
 }
 
 /// The energy of rounding errors times a margin [J]; 0 with gravity, whose energy is far above it. Cloth at rest
-/// without gravity has no other energy: springs deviate by the rounding of positions, and each substep adds heat
-/// (roundingAddsEnergy). The guard needs it as a reference.
+/// without gravity has no other energy: springs deviate by the rounding of positions, each substep adds heat
+/// (roundingAddsEnergy), and the terms of the bending energy do not cancel exactly. The guard needs it as a reference.
 double roundingEnergyOf(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                         const ClothState& state, double roundoff, const Vec3& origin) {
   if (parameters.gravity * rates.diagonal > tuning.minGuardedFallEnergy) {
@@ -58,7 +58,7 @@ double roundingEnergyOf(const ClothModel& model, const LocalRates& rates, const 
   const double springs = parameters.material.stiffness * static_cast<double>(model.springs.size()) * error * error;
   const double heat = tuning.roundingHeat * rates.mass * parameters.material.stiffness * rates.percentile99 * error *
                       error * (1.0 + hOmega);
-  return tuning.roundingMargin * (springs + heat);
+  return tuning.roundingMargin * (springs + heat + roundoff * rates.bendingTerms);
 }
 
 }  // namespace

@@ -87,7 +87,9 @@ StableSteps stableStepsOf(const ClothModel& model, const CommonParameters& param
   if (cost < preferred) {
     return {true, split, split, cost};
   }
-  return {false, std::ceil(preferred), std::ceil(limit / tuning.limitFraction), preferred};
+  // A fabric keeps the distance from the limit, even at a higher cost (AutoTuning::fabricFraction).
+  const double minimum = model.fabric ? preferred : limit / tuning.limitFraction;
+  return {false, std::ceil(preferred), std::ceil(minimum), preferred};
 }
 
 /// The stiffness scale under a plan at a vertex with that omega^2 / k [1/kg].
@@ -251,7 +253,8 @@ double loadOf(const LocalRates& rates, const CommonParameters& parameters) {
 }
 
 double stableEvaluations(const ClothModel& model, const CommonParameters& parameters) {
-  return parameters.timeStep / verletStepLimit(model, parameters) / tuning.preferredFraction;
+  const double fraction = model.fabric ? tuning.fabricFraction : tuning.preferredFraction;
+  return parameters.timeStep / verletStepLimit(model, parameters) / fraction;
 }
 
 double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {

@@ -21,6 +21,15 @@ double bendingFrequencyOf(const ClothModel& model) {
   return std::sqrt(squared);
 }
 
+/// The energy is the sum of 1/4 K_ij |x_i - x_j|^2 over all entries of the matrix.
+double bendingTermsOf(const ClothModel& model) {
+  double sum = 0.0;
+  for (const fabric::VertexPair& pair : model.fabric ? model.fabric->pairs : std::vector<fabric::VertexPair>()) {
+    sum += 0.5 * std::abs(pair.bending) * (model.restPositions[pair.a] - model.restPositions[pair.b]).squaredNorm();
+  }
+  return sum;
+}
+
 }  // namespace
 
 LocalRates localRatesOf(const ClothModel& model) {
@@ -43,6 +52,7 @@ LocalRates localRatesOf(const ClothModel& model) {
   rates.percentile99 = quantileExceededBy(free, 100);
   rates.dampingPercentile99 = quantileExceededBy(freeDamping, 100);
   rates.bendingFrequency = bendingFrequencyOf(model);
+  rates.bendingTerms = bendingTermsOf(model);
   rates.diagonal = diagonalOf(model);
   rates.mass = model.totalMass();
   rates.area = model.restArea();

@@ -20,10 +20,13 @@ struct LocalRates {
   double percentile99 = 0.0;         ///< of `frequencySquared`: one free vertex in 100 is faster [1/kg]
   double dampingPercentile99 = 0.0;  ///< of `damping` [1/kg]
   double bendingFrequency = 0.0;     ///< an upper bound of the angular frequencies of a fabric's bending [1/s]
-  double diagonal = 0.0;             ///< of the rest shape [m]
-  double mass = 0.0;                 ///< of the whole cloth [kg]
-  double area = 0.0;                 ///< of the whole rest shape [m^2]
-  double pinnedLength = 0.0;         ///< sum over springs with one end pinned of length times relative stiffness [m]
+  /// The sum of the sizes of the terms that add up to the bending energy of a fabric [J]. They cancel at rest, but for
+  /// their rounding errors.
+  double bendingTerms = 0.0;
+  double diagonal = 0.0;      ///< of the rest shape [m]
+  double mass = 0.0;          ///< of the whole cloth [kg]
+  double area = 0.0;          ///< of the whole rest shape [m^2]
+  double pinnedLength = 0.0;  ///< sum over springs with one end pinned of length times relative stiffness [m]
 };
 
 [[nodiscard]] LocalRates localRatesOf(const ClothModel& model);

@@ -63,7 +63,9 @@ std::vector<double> vertexAreasOf(const ClothMesh& mesh) {
 /// have almost no mass and make the system arbitrarily stiff.
 constexpr double minMassFraction = 0.05;
 
-/// Computes the largest local frequency and damping rate of the free vertices in the rest shape.
+/// Computes the largest local frequency and damping rate of the free vertices in the rest shape. The frequencies of a
+/// fabric are an upper bound of those of the whole mesh only all together (ClothModel::fabricStiffness), so its pinned
+/// vertices count, too.
 void findRates(ClothModel& model) {
   model.unitFrequency = 0.0;
   model.stiffestSpring =
@@ -71,11 +73,13 @@ void findRates(ClothModel& model) {
                       [](double largest, const Spring& spring) { return std::max(largest, spring.relativeStiffness); });
   model.unitDampingRate = 0.0;
   for (std::size_t i = 0; i < model.restPositions.size(); ++i) {
+    if (!model.pinned[i] || !model.fabricStiffness.empty()) {
+      model.unitFrequency = std::max(model.unitFrequency, std::sqrt(unitFrequencySquared(model, i)));
+    }
     if (model.pinned[i]) {
       continue;
     }
     const auto springs = static_cast<double>(model.springEnds[i].size());
-    model.unitFrequency = std::max(model.unitFrequency, std::sqrt(unitFrequencySquared(model, i)));
     model.unitDampingRate = std::max(model.unitDampingRate, 2.0 * springs / model.vertexMass[i]);
   }
 }

@@ -71,6 +71,7 @@ class AdaptiveStep {
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = adaptive::saferPlan(plan);
     }
+    plan.substeps *= parameters.automatic.refinement;
     const double budget = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
     adaptive::StepChoice choice{.order = plan.scheme == adaptive::ExplicitScheme::Pefrl ? 4 : 2,
                                 .substeps = plan.substeps,
@@ -362,6 +363,13 @@ std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepPara
   const double hOmega = std::max(frequency * parameters.timeStep, 1e-30);
   if (adaptive::toleratedCostRatio * evaluations * 2.0 >= hOmega) {
     return std::nullopt;
+  }
+  if (model.fabric) {
+    // With a limit on strain the stiffness follows from the motion (StretchChoice), and so does the cost.
+    return parameters.automatic.strainLimit > 0.0
+               ? std::nullopt
+               : std::optional(
+                     SolverWarning{.kind = SolverWarning::Kind::SlowFabric, .costRatio = 0.5 * hOmega / evaluations});
   }
   if (!adaptive::maySoften(model, parameters, parameters.automatic)) {
     return SolverWarning{.kind = SolverWarning::Kind::SlowMotion, .costRatio = 0.5 * hOmega / evaluations};

@@ -19,6 +19,7 @@ struct SolverWarning {
     TooSlow,               ///< the mesh is too fine for interactive use
     Softened,              ///< the cost budget leaves the springs `stiffnessScale`; `neededCost`, `softenedByChoice`
     SlowMotion,            ///< the step costs `costRatio` times the cost budget
+    SlowFabric,            ///< the same, and the stretch stiffness of the fabric may not be lowered
   };
 
   Kind kind = Kind::StepTooLong;

@@ -150,7 +150,8 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
   if (model.fabric && model.fabric->materials.damp()) {
     dampFabric(model, parameters, inputs, state);
   }
-  contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state);
+  contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state) *
+                     (info_->choosesSubsteps ? parameters.automatic.refinement : 1);
   return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)
                                : stepInContactSubsteps(model, parameters, inputs, contactSubsteps_, state);
 }

@@ -1,5 +1,6 @@
 #include "sim/adaptive/step_plan.hpp"
 
+#include "fabric_cloths.hpp"
 #include "sim/forces/stability.hpp"
 #include "test_meshes.hpp"
 
@@ -51,6 +52,17 @@ TEST_F(StepPlanning, keepsTheFullStiffnessWhileASubstepIsBelowTheLimit) {
   EXPECT_EQ(chosen.substeps, 17);
   EXPECT_EQ(chosen.hOmegaLimit, 0.0);
   EXPECT_FALSE(chosen.usesCoarseLevels);
+}
+
+TEST_F(StepPlanning, keepsADistanceFromTheLimitWithAFabricSinceStretchRaisesItsFrequency) {
+  model = testing::asFabric(*model, testing::membraneOnly());
+  parameters.automatic.soften = false;
+  const double preferred = stableEvaluations(*model, parameters);
+  for (const double share : {0.5, 0.9, 0.95, 1.0}) {
+    const StepPlan chosen = plan(std::floor(share * preferred));
+    EXPECT_GE(chosen.substeps, std::floor(preferred)) << share;
+    EXPECT_EQ(chosen.hOmegaLimit, 0.0);
+  }
 }
 
 TEST_F(StepPlanning, exceedsTheBudgetALittleWhereAllSpringsThenKeepTheirStiffness) {

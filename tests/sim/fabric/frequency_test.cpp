@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace drape::sim::fabric {
 namespace {
@@ -93,6 +95,39 @@ TEST(FabricFrequency, limitsTheStepWhateverTheStiffnessAndDampingOfSprings) {
   }
   EXPECT_GE(limited, 2);
   EXPECT_EQ(findSolver("explicit_euler")->stepLimit(*model, damped), 0.0) << "no undamped step is stable";
+}
+
+TEST(FabricFrequency, keepsVerletStableWhereTheWholeBoundaryIsPinned) {
+  constexpr int n = 17;
+  std::vector<int> boundary;
+  for (int i = 0; i < n; ++i) {
+    for (const int vertex : {i, (n - 1) * n + i, i * n, i * n + n - 1}) {
+      boundary.push_back(vertex);
+    }
+  }
+  fabric::Material isotropic = membraneOnly();
+  isotropic.stretchWarp = isotropic.stretchWeft = 1000.0;
+  isotropic.shear = 500.0;
+  isotropic.poisson = 0.0;
+  const auto model = asFabric(*buildClothModel(sheet(n), 0.1, MassLumping::Area, boundary), isotropic);
+  StepParameters parameters;
+  parameters.gravity = 0.0;
+  parameters.timeStep = 0.98 * verletStepLimit(*model, parameters);
+  ClothState state = stateAtRest(model->restPositions);
+  RandomVectors random(5);
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    const Vec3 move = random.next(1e-6);
+    state.positions[v] += model->pinned[v] ? Vec3::Zero() : move;
+  }
+  const auto solver = findSolver("verlet")->make();
+  for (int step = 0; step < 1000; ++step) {
+    solver->step(*model, parameters, {}, state);
+  }
+  double largest = 0.0;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    largest = std::max(largest, (state.positions[v] - model->restPositions[v]).norm());
+  }
+  EXPECT_LT(largest, 1e-3);
 }
 
 }  // namespace

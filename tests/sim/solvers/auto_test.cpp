@@ -1,3 +1,4 @@
+#include "fabric_cloths.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/measures/measures.hpp"
@@ -337,6 +338,31 @@ TEST(Auto, leavesClothAloneThatIsAtRestWithoutGravity) {
       for (int step = 0; step < 10; ++step) {
         const StepReport report = stepper.step(*model, parameters, {}, state);
         EXPECT_EQ(report.choice->retries, 0) << "step " << step;
+      }
+      EXPECT_LT(meanDistanceOf(state, stateAtRest(model->restPositions)), 1e-6);
+    }
+  }
+}
+
+TEST(Auto, leavesAFabricAloneThatIsAtRestWithoutGravity) {
+  ClothMesh irregular = testing::sheet(9);
+  testing::RandomVectors random(3);
+  for (Vec3& position : irregular.positions) {
+    const Vec3 move = random.next(0.02);
+    position += Vec3(move.x(), 0.0, move.z());
+  }
+  for (const ClothMesh& mesh : {testing::sheet(17), irregular}) {
+    const auto model = testing::asFabric(*buildClothModel(mesh, 0.1, MassLumping::Area, {0, 8}), testing::woven());
+    for (const Precision precision : {Precision::Float, Precision::Double}) {
+      StepParameters parameters;
+      parameters.gravity = 0.0;
+      parameters.precision = precision;
+      ClothState state = stateAtRest(model->restPositions);
+      Stepper stepper("auto");
+      for (int step = 0; step < 10; ++step) {
+        const StepReport report = stepper.step(*model, parameters, {}, state);
+        EXPECT_EQ(report.choice->retries, 0) << "step " << step;
+        EXPECT_FALSE(report.choice->usedFallback) << "step " << step;
       }
       EXPECT_LT(meanDistanceOf(state, stateAtRest(model->restPositions)), 1e-6);
     }
