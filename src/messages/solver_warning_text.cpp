@@ -149,6 +149,12 @@ text::Sentence inWords(const sim::SolverWarning& warning) {
           "This stiff and fine cloth costs up to {} times the cost budget, so it moves in slow motion. Softer springs "
           "keep real time (auto.soften = on).",
           inTwoDigits(warning.costRatio));
+    case Kind::SlowFabric:
+      return Sentence(
+          "This stiff and fine fabric costs up to {} times the cost budget, so it moves in slow motion. A lower "
+          "stretch "
+          "stiffness keeps real time where the strain stays small (auto.strain = 0.01).",
+          inTwoDigits(warning.costRatio));
   }
   return {};
 }

@@ -1,42 +1,12 @@
 #include "messages/step_choice_text.hpp"
 
-#include <fmt/core.h>
-#include <algorithm>
-#include <cmath>
+#include "messages/length_text.hpp"
 
 namespace drape::messages {
 namespace {
 
 using text::plural;
 using text::Sentence;
-
-/// Two significant digits, without an exponent.
-std::string brief(double value) {
-  const double size = value > 0.0 ? std::floor(std::log10(value)) : 0.0;
-  const int decimals = std::clamp(1 - static_cast<int>(size), 0, 9);
-  std::string words = fmt::format("{:.{}f}", value, decimals);
-  if (words.find('.') != std::string::npos) {
-    words.erase(words.find_last_not_of('0') + 1);
-    if (words.back() == '.') {
-      words.pop_back();
-    }
-  }
-  return words;
-}
-
-Sentence lengthInWords(double metres) {
-  constexpr double shortest = 1e-9;
-  if (metres < shortest) {
-    return Sentence("below 1 nm");
-  }
-  if (metres < 1e-6) {
-    return Sentence("about {} nm", brief(metres * 1e9));
-  }
-  if (metres < 1e-4) {
-    return Sentence("about {} \u00B5m", brief(metres * 1e6));
-  }
-  return metres < 0.1 ? Sentence("about {} mm", brief(metres * 1e3)) : Sentence("about {} m", brief(metres));
-}
 
 Sentence clothInWords(double hOmega, const Sentence& scheme) {
   constexpr double soft = 8.0;
@@ -79,14 +49,16 @@ Sentence stiffnessInWords(const sim::adaptive::StepChoice& choice) {
   return words;
 }
 
-/// How fast the cloth runs with its full stiffness, if that is slower than real time.
+/// How fast the cloth runs with its full stiffness, if that is slower than real time. Without a measured time, how
+/// often it exceeds the cost budget.
 Sentence fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
   constexpr double almostRealTime = 0.95;
-  const double load = available > 0.0 ? seconds / available : choice.costRatio;
-  const double speed = 1.0 / (load * choice.fullStiffnessCost);
-  return choice.fullStiffnessCost > 1.0 && load > 0.0 && speed < almostRealTime
-             ? Sentence("full stiffness runs at {}x", brief(speed))
-             : Sentence();
+  const double load = (available > 0.0 ? seconds / available : choice.costRatio) * choice.fullStiffnessCost;
+  if (choice.fullStiffnessCost <= 1.0 || load * almostRealTime <= 1.0) {
+    return {};
+  }
+  return available > 0.0 ? Sentence("full stiffness runs at {}x", brief(1.0 / load))
+                         : Sentence("full stiffness costs {} times the budget", brief(load));
 }
 
 }  // namespace
@@ -110,9 +82,6 @@ text::Sentence inWords(const sim::adaptive::StepChoice& choice, double seconds, 
   }
   if (available > 0.0) {
     words.append(", ", Sentence("{} ms of {} ms", brief(seconds * 1e3), brief(available * 1e3)));
-  }
-  if (choice.error >= 0.0) {
-    words.append(", ", Sentence("error {}", lengthInWords(choice.error)));
   }
   if (choice.retries > 0) {
     words.append(", ", Sentence(plural(choice.retries, "{} retry", "{} retries"), choice.retries));

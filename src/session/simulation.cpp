@@ -18,7 +18,7 @@ Simulation::Simulation(std::shared_ptr<const scene::Scene> scene) {
 
 void Simulation::apply(const Command& command) {
   log_.push_back({stepsTaken_, command});
-  ++version_;
+  noteChange();
   try {
     std::visit([this](const auto& each) { on(each); }, command);
   } catch (const messages::InputError& error) {
@@ -47,6 +47,7 @@ void Simulation::step() {
   stepReport_ = stepper_->step(*model_, parameters, inputs_, state_);
   stepSeconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   ++version_;
+  pictureVersion_ += isStill() ? 0 : 1;
   blewUp_ = !sim::isFinite(state_);
   if (blewUp_) {
     state_ = lastFinite_;
@@ -63,11 +64,27 @@ void Simulation::step() {
                   {stepper_->earlierContactWork(), stepper_->dampingWork()});
   }
   stepGhost();
+  checkAccuracy();
   reportOverlap();
   closeSeams();
   ++stepIndex_;
   ++stepsTaken_;
   updateCostBudget();
+}
+
+void Simulation::noteChange() {
+  ++version_;
+  ++pictureVersion_;
+}
+
+/// Whether nothing has moved in the last step.
+bool Simulation::isStill() const {
+  const bool sleeps = stepReport_.choice && stepReport_.choice->sleeping;
+  return sleeps && !ghost_ && std::ranges::none_of(bodies_.steps(), [](const sim::contact::BodyStep& body) {
+           return body.start.position != body.end.position ||
+                  body.start.rotation.coeffs() != body.end.rotation.coeffs() ||
+                  body.startVertices.data() != body.endVertices.data();
+         });
 }
 
 /// Welds the seams that are closed.
@@ -173,7 +190,7 @@ void Simulation::continueFrom(sim::ClothState state, std::int64_t step) {
     balance_.emplace();
   }
   message_ = {};
-  ++version_;
+  noteChange();
 }
 
 RecordedState Simulation::recorded() const {
@@ -224,6 +241,28 @@ void Simulation::useBalance() {
     balance_.reset();
   } else if (!balance_) {
     balance_.emplace();
+  }
+}
+
+void Simulation::useAccuracyCheck() {
+  if (!settings_.measures.errorCheck) {
+    accuracy_.reset();
+  } else if (!accuracy_) {
+    accuracy_ = std::make_unique<AccuracyCheck>(accuracyInBackground_);
+  }
+}
+
+void Simulation::setAccuracyInBackground(bool inBackground) {
+  accuracyInBackground_ = inBackground;
+  accuracy_.reset();
+  useAccuracyCheck();
+}
+
+/// Sleeping cloth has no error that is worth a check.
+void Simulation::checkAccuracy() {
+  const bool sleeps = stepReport_.choice && stepReport_.choice->sleeping;
+  if (accuracy_ && !sleeps) {
+    accuracy_->follow(cloth_, settings_, inputs_, lastFinite_, state_);
   }
 }
 

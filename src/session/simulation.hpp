@@ -1,5 +1,6 @@
 #pragma once
 
+#include "session/accuracy_check.hpp"
 #include "session/command.hpp"
 #include "session/cost_budget.hpp"
 #include "session/ghost.hpp"
@@ -42,6 +43,10 @@ class Simulation {
   /// not be used after that.
   void setProgressCallback(std::function<void()> callback) { onProgress_ = std::move(callback); }
 
+  /// Lets checks of the accuracy (settings `error_check`) run in a thread of their own. Off: they are part of step(),
+  /// so that their results do not depend on the speed of the machine.
+  void setAccuracyInBackground(bool inBackground);
+
   /// Runs the log of another simulation of the same scene, with the steps between its commands. The states are
   /// bit-identical.
   /// @param steps to take in all; after the last command the rest of them follow
@@ -71,6 +76,8 @@ class Simulation {
   [[nodiscard]] const settings::Settings& settings() const { return settings_; }
   [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
   [[nodiscard]] bool paused() const { return paused_; }
+  /// Snapshot::pictureVersion.
+  [[nodiscard]] std::int64_t pictureVersion() const { return pictureVersion_; }
   /// The second cloth, or nullptr.
   [[nodiscard]] const Ghost* ghost() const { return ghost_ ? &*ghost_ : nullptr; }
   /// Whether the last step was undone because the state was no longer finite.
@@ -79,6 +86,8 @@ class Simulation {
   [[nodiscard]] double lastStepSeconds() const { return stepSeconds_; }
   /// The report of the last step.
   [[nodiscard]] const sim::StepReport& lastStepReport() const { return stepReport_; }
+  /// The last result of the check of the accuracy; empty: none.
+  [[nodiscard]] std::optional<sim::Accuracy> accuracy() const { return accuracy_ ? accuracy_->latest() : std::nullopt; }
   [[nodiscard]] const text::Sentence& message() const { return message_.empty() ? overlapMessage_ : message_; }
 
   /// The commands since the scene was loaded, in order, each with the number of steps before it.
@@ -121,7 +130,11 @@ class Simulation {
   void closeSeams();
   void useSettings(settings::Settings changed, settings::SettingEffect effect);
   void useSolvers();
+  void noteChange();
+  [[nodiscard]] bool isStill() const;
   void useBalance();
+  void useAccuracyCheck();
+  void checkAccuracy();
   void restAt(std::vector<Vec3> positions);
   void stepGhost();
   void updateCostBudget();
@@ -151,6 +164,8 @@ class Simulation {
   std::shared_ptr<const std::vector<Vec3>> placedStart_;  // instead of the scene's start; null: none
   std::optional<Ghost> ghost_;
   std::optional<sim::EnergyBalance> balance_;
+  std::unique_ptr<AccuracyCheck> accuracy_;  // null: off
+  bool accuracyInBackground_ = false;
   CostBudget budget_;
   bool replaying_ = false;  // commands that depend on the clock come from the log
   sim::StepInputs inputs_;  // its attachment is the current one
@@ -161,6 +176,7 @@ class Simulation {
   std::int64_t stepIndex_ = 0;                                   // since the last reset
   std::int64_t stepsTaken_ = 0;                                  // since the scene was loaded
   std::int64_t version_ = 0;
+  std::int64_t pictureVersion_ = 0;
   bool paused_ = false;
   bool observed_ = false;
   bool blewUp_ = false;

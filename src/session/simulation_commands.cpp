@@ -51,6 +51,7 @@ void Simulation::useSettings(settings::Settings changed, settings::SettingEffect
   timeline_.limit(settings_.timeline.memory);
   useSolvers();
   useBalance();
+  useAccuracyCheck();
   message_ = {};
 }
 
@@ -337,6 +338,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   on(ResetCommand{});
   useSolvers();
   useBalance();
+  useAccuracyCheck();
   // The log starts again: its commands belong to the previous scene.
   log_.clear();
   stepsTaken_ = 0;

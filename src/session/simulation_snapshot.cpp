@@ -10,11 +10,13 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.pinPaths = pinPaths_;
   snapshot.step = stepIndex_;
   snapshot.version = version_;
+  snapshot.pictureVersion = pictureVersion_;
   snapshot.time = state_.time;
   snapshot.settings = settings_;
   snapshot.paused = paused_;
   snapshot.energy = sim::energyOf(*model_, settings_.step, state_);
   snapshot.balance = balance_;
+  snapshot.accuracy = accuracy();
   snapshot.maxStretch = sim::maxStretch(*model_, state_);
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;

@@ -5,6 +5,7 @@
 #include "session/timeline.hpp"
 #include "sim/contact/exact/intersection_contours.hpp"
 #include "sim/forces/diagnostics.hpp"
+#include "sim/measures/accuracy.hpp"
 #include "sim/measures/energy_balance.hpp"
 #include "sim/solvers/solver.hpp"
 
@@ -54,13 +55,16 @@ struct Snapshot {
   std::shared_ptr<const std::vector<Vec3>> placedStart;
   /// Of pins that move without a body; never null.
   std::shared_ptr<const std::vector<scene::PinPath>> pinPaths = std::make_shared<std::vector<scene::PinPath>>();
-  std::int64_t step = 0;        ///< steps since the scene was loaded or reset
-  std::int64_t version = 0;     ///< increases with every snapshot that differs from the one before
+  std::int64_t step = 0;     ///< steps since the scene was loaded or reset
+  std::int64_t version = 0;  ///< increases with every snapshot that differs from the one before
+  /// Increases like `version`, but not while sleeping cloth only gets older: then nothing in the picture moves.
+  std::int64_t pictureVersion = 0;
   double time = 0.0;            ///< simulated [s]
   settings::Settings settings;  ///< the current values
   bool paused = false;
   sim::Energy energy;
   std::optional<sim::EnergyBalance> balance;      ///< since the balance was switched on or the cloth was reset
+  std::optional<sim::Accuracy> accuracy;          ///< of the last check (settings `error_check`)
   double maxStretch = 0.0;                        ///< largest (L - l0) / l0 [-]
   std::optional<StretchDiagnosis> overstretched;  ///< the cause, when maxStretch is above implausibleStretch
   double stepSeconds = 0.0;                       ///< duration of the last step, without the ghost's [s]

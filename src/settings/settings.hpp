@@ -78,6 +78,7 @@ struct Settings {
 
   struct Measures {
     bool energyBalance = false;  ///< compute the energy balance in every step
+    bool errorCheck = false;     ///< compare with a more accurate motion now and then
   } measures;
 
   struct Timeline {

@@ -159,7 +159,7 @@ void requireStable(const sim::fabric::Material& fabric) {
     throw messages::UsageError(
         "fabric.bend_bias must be at least a quarter of the sum of fabric.bend_warp and fabric.bend_weft, " +
         text::exactNumber(minBias) + " N m; " + text::exactNumber(fabric.bendBias) +
-        " is not. Otherwise the fabric would twist by itself. Raise fabric.bend_bias first");
+        " is not. Otherwise the fabric would twist by itself. Raise fabric.bend_bias, or lower the other two");
   }
 }
 

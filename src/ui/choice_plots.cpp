@@ -25,10 +25,6 @@ std::optional<double> stiffnessScale(const sim::adaptive::StepChoice& choice) {
   return 100.0 * choice.stiffnessScale;
 }
 
-std::optional<double> error(const sim::adaptive::StepChoice& choice) {
-  return choice.error < 0.0 ? std::nullopt : std::optional(1e3 * choice.error);
-}
-
 std::optional<double> energyDrift(const sim::adaptive::StepChoice& choice) {
   return 1e3 * choice.energyDrift;
 }
@@ -50,8 +46,6 @@ void choicePlots(const PanelContext& context) {
     const std::array kept{PlotCurve{"Stiffness scale", colours[2], chosen<stiffnessScale>}};
     timePlot(context, "Stiffness scale", "%", samples, kept);
   }
-  const std::array errors{PlotCurve{"Estimated error", colours[3], chosen<error>}};
-  timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
   const std::array energy{PlotCurve{"Energy drift", colours[4], chosen<energyDrift>}};
   timePlot(context, "Energy drift", "mJ", samples, energy);
 }

@@ -18,7 +18,8 @@ void MeasureHistory::add(const session::Snapshot& snapshot) {
                       .energy = snapshot.energy,
                       .balance = snapshot.balance,
                       .ghostDistance = snapshot.ghost ? std::optional(snapshot.ghost->meanDistance) : std::nullopt,
-                      .choice = snapshot.stepReport.choice});
+                      .choice = snapshot.stepReport.choice,
+                      .accuracy = snapshot.accuracy});
   const auto recent = std::find_if(samples_.begin(), samples_.end(),
                                    [&](const MeasureSample& sample) { return sample.time >= snapshot.time - window; });
   samples_.erase(samples_.begin(), recent);

@@ -15,6 +15,7 @@ struct MeasureSample {
   std::optional<sim::EnergyBalance> balance;        ///< only when it is switched on
   std::optional<double> ghostDistance;              ///< mean distance of the ghost, if there is one [m]
   std::optional<sim::adaptive::StepChoice> choice;  ///< of a solver such as auto
+  std::optional<sim::Accuracy> accuracy;            ///< the last check of the error, if there is one
 };
 
 /// The measures of the last seconds of simulated time. It starts again with another scene and after a reset.

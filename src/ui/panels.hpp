@@ -72,6 +72,9 @@ void cameraRows(PanelContext& context);
 /// Rows of the section Performance.
 void performanceRows(PanelContext& context);
 
+/// The last check of the error in words, if there is one.
+void accuracyText(const PanelContext& context);
+
 /// The title of the scene and the buttons play, step and reset; always visible above the sections.
 void headPanel(PanelContext& context);
 

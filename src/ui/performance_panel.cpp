@@ -1,3 +1,4 @@
+#include "messages/accuracy_text.hpp"
 #include "ui/panels.hpp"
 #include "ui/text.hpp"
 #include "ui/time_plot.hpp"
@@ -34,6 +35,22 @@ void balancePlot(const PanelContext& context) {
   timePlot(context, "Energy added or removed so far", "J", context.memory.measures.samples(), curves);
 }
 
+/// A gap where there is no check or its error cannot be known.
+std::optional<double> checkedError(const MeasureSample& sample) {
+  constexpr double millimetres = 1e3;
+  return sample.accuracy && sim::isErrorKnown(*sample.accuracy) ? std::optional(millimetres * sample.accuracy->error)
+                                                                : std::nullopt;
+}
+
+void errorRows(PanelContext& context) {
+  const auto& samples = context.memory.measures.samples();
+  accuracyText(context);
+  if (std::ranges::any_of(samples, [](const MeasureSample& sample) { return checkedError(sample).has_value(); })) {
+    const std::array errors{PlotCurve{"Last check", palette().plot[3], checkedError}};
+    timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
+  }
+}
+
 void ghostPlot(const PanelContext& context) {
   const std::array curves{PlotCurve{"Now", palette().ghost, [](const MeasureSample& s) {
                                       return s.ghostDistance ? std::optional(*s.ghostDistance * 1e3) : std::nullopt;
@@ -42,6 +59,12 @@ void ghostPlot(const PanelContext& context) {
 }
 
 }  // namespace
+
+void accuracyText(const PanelContext& context) {
+  if (context.snapshot.accuracy) {
+    mutedText(context.texts("Position error {}", messages::inWords(*context.snapshot.accuracy)));
+  }
+}
 
 void historyPlot(const PanelContext& context, const History& history) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -99,6 +122,7 @@ void performanceRows(PanelContext& context) {
   if (snapshot.ghost) {
     ghostPlot(context);
   }
+  errorRows(context);
   if (snapshot.stepReport.choice) {
     choicePlots(context);
   }

@@ -113,7 +113,6 @@ std::optional<SceneLoader::Outcome> SceneLoader::poll() {
 }
 
 void useWindowDefaults(settings::Settings& settings) {
-  constexpr double visibleStrain = 0.01;  // less is invisible
   double& limit = settings.step.automatic.strainLimit;
   limit = limit > 0.0 ? limit : visibleStrain;
   constexpr double usualMemory = 200.0;  // [1e6 bytes]
@@ -123,6 +122,8 @@ void useWindowDefaults(settings::Settings& settings) {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   int& threads = settings.step.threads;
   threads = std::clamp(cores - 1, threads, maxThreads);  // one core draws
+  constexpr int coresForErrorCheck = 4;
+  settings.measures.errorCheck = settings.measures.errorCheck || cores >= coresForErrorCheck;
 }
 
 void carryViewSettings(const settings::Settings& current, const settings::Settings& own, settings::Settings& target) {

@@ -73,9 +73,12 @@ class SceneLoader {
   std::future<Outcome> running_;  // last, since its destructor waits while the other members still exist
 };
 
+/// The limit on the strain of fabrics in the window [-]; less is invisible.
+inline constexpr double visibleStrain = 0.01;
+
 /// Sets what begins differently in the window than in the other programs: a strain limit of 1 % (auto.strain) where a
 /// scene leaves it at 0, so that stiff fabrics keep real time, and as many threads as there are cores beside the one
-/// that draws, unless the scene sets more.
+/// that draws, unless the scene sets more. With four or more cores it also checks the error.
 void useWindowDefaults(settings::Settings& settings);
 
 /// Another scene keeps the user's changes of the view: `target`, the settings of the next scene, takes each view

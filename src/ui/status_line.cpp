@@ -4,6 +4,7 @@
 #include "settings/settings_table.hpp"
 #include "sim/solvers/solver.hpp"
 #include "ui/panels.hpp"
+#include "ui/scene_loader.hpp"
 #include "ui/setting_widget.hpp"
 #include "ui/solver_facts.hpp"
 #include "ui/text.hpp"
@@ -22,7 +23,7 @@ namespace {
 constexpr const char* detailsName = "Solver details";
 
 /// The change that one click offers.
-enum class Remedy { None, Auto, Soften, Untangle };
+enum class Remedy { None, Auto, Soften, AllowStrain, Untangle };
 
 struct Message {
   std::string text;
@@ -41,6 +42,8 @@ bool isOffered(Remedy remedy, const settings::Settings& settings) {
       return !chooses && sim::findSolver(choosingSolver) != nullptr;
     case Remedy::Soften:
       return chooses && !settings.step.automatic.soften;
+    case Remedy::AllowStrain:
+      return chooses && settings.step.automatic.strainLimit == 0.0;
     case Remedy::Untangle:
       return true;
     case Remedy::None:
@@ -75,10 +78,11 @@ std::optional<Message> paceMessage(const PanelContext& context) {
     return Message{context.texts("The cloth is at rest"), palette().muted};
   }
   if (choice && choice->costRatio > sim::adaptive::toleratedCostRatio) {
-    return Message{
-        context.texts(snapshot.settings.step.automatic.soften ? "The springs are softened to keep real time"
-                                                              : "The cloth is too stiff and too fine for real time"),
-        palette().warning, Remedy::Soften};
+    const bool isFabric = snapshot.model->fabric != nullptr;
+    const bool isSoftened = !isFabric && snapshot.settings.step.automatic.soften;
+    return Message{context.texts(isSoftened ? "The springs are softened to keep real time"
+                                            : "The cloth is too stiff and too fine for real time"),
+                   palette().warning, isFabric ? Remedy::AllowStrain : Remedy::Soften};
   }
   return std::nullopt;
 }
@@ -136,6 +140,10 @@ RemedyButton buttonOf(Remedy remedy) {
     case Remedy::Soften:
       return {"Soften", "button.soften",
               "Softens the springs so that the steps fit the cost budget and the simulation keeps real time."};
+    case Remedy::AllowStrain:
+      return {"Lower stiffness", "button.strain",
+              "Lets auto lower the stretch stiffness of the fabric while its strain stays below 1 %, so that the "
+              "simulation keeps real time."};
     case Remedy::Auto:
     case Remedy::None:
       break;
@@ -150,6 +158,9 @@ void apply(PanelContext& context, Remedy remedy) {
       break;
     case Remedy::Soften:
       changeSetting(context, settings::requireSetting("auto.soften"), true);
+      break;
+    case Remedy::AllowStrain:
+      changeSetting(context, settings::requireSetting("auto.strain"), visibleStrain);
       break;
     case Remedy::Auto:
       changeSetting(context, settings::requireSetting("solver"), std::string(choosingSolver));
@@ -188,6 +199,7 @@ void detailRows(PanelContext& context) {
     mutedText(
         context.texts("Chosen by auto: {}", messages::inWords(*choice, snapshot.stepSeconds, timeForStep(settings))));
   }
+  accuracyText(context);
   if (const text::Sentence warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {
     ImGui::Spacing();
     mutedText(context.texts(warning), palette().warning);

@@ -58,8 +58,7 @@ TEST(Fabrics, areNamedOnTheCommandLineAndInTheSummary) {
   const std::string list = "--fabrics " + listWith(softDenim);
   const Outcome own = headless(runOfFabric + list + " --set 'material.preset=Soft denim'");
   EXPECT_EQ(own.status, 0) << own.errors;
-  EXPECT_NE(own.output.find("fabric: Soft denim; warp vertical; no triangle has a lowered stiffness"),
-            std::string::npos)
+  EXPECT_NE(own.output.find("fabric: Soft denim; warp vertical; no sliver has a lowered stiffness"), std::string::npos)
       << own.output;
   const Outcome changed = headless(runOfFabric + list + " --set 'material.preset=Soft denim' --set fabric.shear=41");
   EXPECT_NE(changed.output.find("fabric: Soft denim, changed;"), std::string::npos) << changed.output;

@@ -134,5 +134,12 @@ TEST(SolverWarningText, describesSofteningAndSlowMotion) {
       "keep real time (auto.soften = on).");
 }
 
+TEST(SolverWarningText, offersASlowFabricALimitOnStrainAndNoSofterSprings) {
+  EXPECT_EQ(
+      inWords({.kind = Kind::SlowFabric, .costRatio = 3.0}),
+      "This stiff and fine fabric costs up to 3 times the cost budget, so it moves in slow motion. A lower stretch "
+      "stiffness keeps real time where the strain stays small (auto.strain = 0.01).");
+}
+
 }  // namespace
 }  // namespace drape::messages

@@ -7,7 +7,7 @@ namespace {
 
 TEST(StepChoiceText, isWrittenAsText) {
   const sim::adaptive::StepChoice choice{.substeps = 12, .forceEvaluations = 12, .hOmega = 20.0, .error = 2.04e-4};
-  EXPECT_EQ(inWords(choice, 0.0004, 0.016), "stiff cloth: 12 explicit substeps, 0.4 ms of 16 ms, error about 0.2 mm");
+  EXPECT_EQ(inWords(choice, 0.0004, 0.016), "stiff cloth: 12 explicit substeps, 0.4 ms of 16 ms");
 }
 
 TEST(StepChoiceText, tellsTheStiffnessScaleAndTheLevels) {
@@ -19,7 +19,7 @@ TEST(StepChoiceText, tellsTheStiffnessScaleAndTheLevels) {
 
 TEST(StepChoiceText, tellsTheFourthOrderAndTheFallbackSolver) {
   EXPECT_EQ(inWords({.order = 4, .substeps = 1, .hOmega = 1.0, .error = 3e-8}),
-            "soft cloth: 1 explicit substep of fourth order, error about 30 nm");
+            "soft cloth: 1 explicit substep of fourth order");
   EXPECT_EQ(inWords({.order = 1, .substeps = 4, .hOmega = 1.0, .retries = 4, .usedFallback = true}),
             "soft cloth: 4 substeps of the fallback solver, 4 retries");
 }
@@ -33,8 +33,9 @@ TEST(StepChoiceText, tellsTheStretchStiffnessAndHowFastTheFullOneRuns) {
                                          .fullStiffnessCost = 4.0};
   EXPECT_EQ(
       inWords(choice),
-      "very stiff cloth: 60 explicit substeps at 8 % of the stretch stiffness: 0.4 % strain; full stiffness runs at "
-      "0.5x");
+      "very stiff cloth: 60 explicit substeps at 8 % of the stretch stiffness: 0.4 % strain; full stiffness costs 2 "
+      "times the budget")
+      << "no time was measured";
   EXPECT_EQ(inWords(choice, 0.001, 0.016),
             "very stiff cloth: 60 explicit substeps at 8 % of the stretch stiffness: 0.4 % strain, 1 ms of 16 ms");
   EXPECT_EQ(

@@ -58,6 +58,27 @@ TEST_F(UserInterfaceTest, AClockThatFallsBehindForStiffnessHasOneClickToKeepPace
   EXPECT_FALSE(panels_.buttons().contains("button.soften"));
 }
 
+/// The panels of a scene with a fabric.
+class FabricPaceTest : public PanelFixture {
+ protected:
+  FabricPaceTest() : PanelFixture("curtain") {}
+};
+
+TEST_F(FabricPaceTest, AFabricThatIsTooStiffHasOneClickToALowerStretchStiffness) {
+  simulation_.apply(session::SetSettingCommand{"solver", std::string("auto")});
+  simulation_.apply(session::SetSettingCommand{"auto.strain", 0.0});
+  simulation_.apply(session::SetSettingCommand{"auto.cost", 0.1});
+  simulation_.step();
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("button.soften")) << "it has no springs";
+  const UiOutput output = click(button("button.strain"));
+  EXPECT_GT(std::get<double>(lastValue(output, "auto.strain")), 0.0);
+  apply(output);
+  simulation_.step();
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("button.strain"));
+}
+
 /// The panels of a scene with a figure.
 class FigurePanelTest : public PanelFixture {
  protected:

@@ -13,8 +13,10 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/progress_line.hpp"
 #include "app/session_log.hpp"
+#include "messages/accuracy_text.hpp"
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
+#include "messages/step_choice_text.hpp"
 #include "report/jittered_start.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/rest_pattern.hpp"
@@ -92,7 +94,7 @@ void printFabric(const session::Simulation& simulation) {
   const int slivers = simulation.model().fabric->slivers;
   std::cout << "fabric: " << scene::fabricsInWords(simulation.scene().cloths, simulation.settings()) << "; warp "
             << scene::warpInWords(simulation.scene().cloths, simulation.settings()) << "; "
-            << (slivers == 0 ? "no triangle has a lowered stiffness"
+            << (slivers == 0 ? "no sliver has a lowered stiffness"
                              : fmt::format("slivers: the stiffness of {} of {} triangles is lowered", slivers,
                                            simulation.model().triangles.size()))
             << '\n';
@@ -101,6 +103,21 @@ void printFabric(const session::Simulation& simulation) {
               << scene::restShapeInWords(simulation.model(), simulation.scene().cloths.front().uvs,
                                          simulation.settings())
               << '\n';
+  }
+}
+
+/// Prints what `auto` chose for the last step.
+void printChoice(const session::Simulation& simulation) {
+  if (const auto& choice = simulation.lastStepReport().choice) {
+    std::cout << "last step: " << messages::inWords(*choice) << '\n';
+  }
+}
+
+/// Prints the last check of the error, if there was one.
+void printAccuracy(const session::Simulation& simulation) {
+  if (const auto accuracy = simulation.accuracy()) {
+    std::cout << fmt::format("at {:.2f} s: position error {}\n", accuracy->time,
+                             messages::inWords(*accuracy).english());
   }
 }
 
@@ -115,6 +132,8 @@ void printSummary(const session::Simulation& simulation, const nlohmann::ordered
                            json["state_hash"].get<std::string>());
   printFabric(simulation);
   printStabilityLimit(json["stability_limit"]);
+  printChoice(simulation);
+  printAccuracy(simulation);
 }
 
 /// Prints warnings. A cloth that blew up is an error, which is reported at the end.

@@ -1,6 +1,7 @@
 #include "app/headless/run_stats.hpp"
 
 #include "app/choice_json.hpp"
+#include "messages/accuracy_text.hpp"
 #include "report/number_text.hpp"
 #include "report/settings_json.hpp"
 #include "scene/cloth_material.hpp"
@@ -113,6 +114,19 @@ nlohmann::ordered_json readingJson(const std::optional<scene::MeshReading>& read
           {"in_words", scene::inWords(*reading).english()}};
 }
 
+/// The last check of the error, or null.
+nlohmann::ordered_json accuracyJson(const std::optional<sim::Accuracy>& accuracy) {
+  if (!accuracy) {
+    return nullptr;
+  }
+  return {{"time", accuracy->time},
+          {"seconds", accuracy->seconds},
+          {"error", accuracy->error},
+          {"spread", accuracy->spread},
+          {"error_known", sim::isErrorKnown(*accuracy)},
+          {"words", messages::inWords(*accuracy).english()}};
+}
+
 }  // namespace
 
 RunStats::RunStats(const std::string& file, std::int64_t steps) {
@@ -179,6 +193,7 @@ nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) c
   json["step_us"] = quantiles(seconds_);
   json["contact"] = contactJson(simulation.lastStepReport().contact);
   json["choice"] = choiceJson(simulation.lastStepReport().choice);
+  json["accuracy"] = accuracyJson(simulation.accuracy());
   json["energy"] = energy.total();
   json["energy_kinetic"] = energy.kinetic;
   json["energy_elastic"] = energy.elastic;

@@ -57,14 +57,18 @@ WindowPlace placeOf(GLFWwindow* window) {
   return place;
 }
 
-/// The state of the user, as a scene file has it. The number of threads belongs to this computer.
+/// The state of the user, as a scene file has it. The number of threads and the error check belong to this computer.
 scene::SceneNow sceneNow(const session::UserState& state, const session::Snapshot& snapshot) {
   scene::SceneNow now{state.settings, snapshot.model->pinned, *state.pinPaths, {}};
   settings::Settings opened = snapshot.scene->description.settings;
   const int threadsOfScene = opened.step.threads;
+  const bool checkOfScene = opened.measures.errorCheck;
   ui::useWindowDefaults(opened);
   if (now.settings.step.threads == opened.step.threads) {
     now.settings.step.threads = threadsOfScene;
+  }
+  if (now.settings.measures.errorCheck == opened.measures.errorCheck) {
+    now.settings.measures.errorCheck = checkOfScene;
   }
   for (const session::BodyChoice& body : state.bodies) {
     now.bodies.push_back({body.on, body.shift, body.surface, body.figure});

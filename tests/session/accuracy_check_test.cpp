@@ -1,0 +1,133 @@
+#include "session/accuracy_check.hpp"
+
+#include "session/simulation.hpp"
+#include "sim/measures/measures.hpp"
+#include "test_scene.hpp"
+
+#include <gtest/gtest.h>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace drape::session {
+namespace {
+
+using testing::smallGrid;
+
+constexpr int stepsOfACheck = 30;  // of 1/150 s
+
+void change(Simulation& simulation, const char* key, const settings::SettingValue& value) {
+  simulation.apply(SetSettingCommand{key, value});
+  ASSERT_EQ(simulation.message(), "");
+}
+
+/// Waits for a check in the background.
+std::optional<sim::Accuracy> awaited(const Simulation& simulation) {
+  for (int i = 0; i < 2000 && !simulation.accuracy(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  return simulation.accuracy();
+}
+
+TEST(AccuracyCheck, doesNotChangeABitOfTheCloth) {
+  Simulation alone(smallGrid());
+  Simulation checked(smallGrid());
+  change(checked, "error_check", true);
+  testing::takeSteps(alone, stepsOfACheck + 5);
+  testing::takeSteps(checked, stepsOfACheck + 5);
+  EXPECT_TRUE(checked.accuracy());
+  EXPECT_EQ(sim::stateHash(alone.state()), sim::stateHash(checked.state()));
+}
+
+/// Expects the error of the check within a factor of five of the distance from a much more accurate run.
+void expectRight(const Simulation& checked, const Simulation& fine, const std::string& what) {
+  const double error = sim::meanDistance(checked.state().positions, fine.state().positions);
+  ASSERT_TRUE(checked.accuracy()) << what;
+  EXPECT_TRUE(sim::isErrorKnown(*checked.accuracy())) << what;
+  EXPECT_LT(checked.accuracy()->error, 5.0 * error) << what;
+  EXPECT_GT(checked.accuracy()->error, error / 5.0) << what;
+  EXPECT_NEAR(checked.accuracy()->seconds, AccuracyCheck::window, 1e-9);
+}
+
+/// Verlet far below its stability limit.
+void makeFine(Simulation& simulation) {
+  change(simulation, "solver", std::string("verlet"));
+  change(simulation, "substeps", 500);
+}
+
+TEST(AccuracyCheck, findsTheErrorOfAMethodWithinAFactorOfFive) {
+  for (const char* solver : {"one_iteration", "newton", "auto"}) {
+    Simulation checked(smallGrid());
+    change(checked, "solver", std::string(solver));
+    change(checked, "error_check", true);
+    testing::takeSteps(checked, stepsOfACheck);
+    Simulation fine(smallGrid());
+    makeFine(fine);
+    testing::takeSteps(fine, stepsOfACheck);
+    expectRight(checked, fine, solver);
+  }
+}
+
+TEST(AccuracyCheck, countsTheErrorThatHandsAndChangedSettingsCause) {
+  const auto use = [](Simulation& simulation) {
+    testing::takeSteps(simulation, 5);
+    simulation.apply(AttachCommand{{70, Vec3::Constant(1.0 / 3.0), Vec3(0.1, 1.2, 0.3)}});
+    testing::takeSteps(simulation, 10);
+    change(simulation, "stiffness", 20.0);
+    change(simulation, "wind.z", 4.0);
+    simulation.apply(TogglePinCommand{});
+    testing::takeSteps(simulation, stepsOfACheck - 15);
+  };
+  Simulation checked(smallGrid());
+  change(checked, "solver", std::string("auto"));
+  change(checked, "error_check", true);
+  use(checked);
+  Simulation fine(smallGrid());
+  makeFine(fine);
+  use(fine);
+  expectRight(checked, fine, "auto");
+}
+
+TEST(AccuracyCheck, findsTheSameInTheBackground) {
+  Simulation inside(smallGrid());
+  change(inside, "error_check", true);
+  testing::takeSteps(inside, stepsOfACheck);
+  Simulation background(smallGrid());
+  background.setAccuracyInBackground(true);
+  change(background, "error_check", true);
+  testing::takeSteps(background, stepsOfACheck);
+  ASSERT_TRUE(inside.accuracy());
+  ASSERT_TRUE(awaited(background));
+  EXPECT_EQ(background.accuracy()->error, inside.accuracy()->error);
+  EXPECT_EQ(background.accuracy()->spread, inside.accuracy()->spread);
+}
+
+TEST(AccuracyCheck, endsWithoutAResultWhenTheStateIsReplaced) {
+  Simulation simulation(smallGrid());
+  change(simulation, "error_check", true);
+  testing::takeSteps(simulation, stepsOfACheck - 1);
+  simulation.apply(ResetCommand{});
+  testing::takeSteps(simulation, 1);
+  EXPECT_FALSE(simulation.accuracy());
+  testing::takeSteps(simulation, stepsOfACheck - 1);
+  ASSERT_TRUE(simulation.accuracy()) << "a new check began after the reset";
+  EXPECT_NEAR(simulation.accuracy()->time, AccuracyCheck::window, 1e-9);
+  simulation.apply(ResetCommand{});
+  testing::takeSteps(simulation, 1);
+  EXPECT_FALSE(simulation.accuracy()) << "the result was about the motion before";
+}
+
+TEST(AccuracyCheck, beginsAgainAfterItsIntervalAndKeepsTheLastResultUntilThen) {
+  Simulation simulation(smallGrid());
+  change(simulation, "error_check", true);
+  const int stepsOfInterval = 750;
+  testing::takeSteps(simulation, stepsOfInterval + stepsOfACheck - 1);
+  ASSERT_TRUE(simulation.accuracy());
+  EXPECT_NEAR(simulation.accuracy()->time, AccuracyCheck::window, 1e-9);
+  testing::takeSteps(simulation, 2);
+  EXPECT_NEAR(simulation.accuracy()->time, AccuracyCheck::interval + AccuracyCheck::window, 0.02);
+}
+
+}  // namespace
+}  // namespace drape::session
