@@ -13,8 +13,10 @@ using Clock = std::chrono::steady_clock;
 
 /// Longest time between two snapshots, and between two reads of the command queue, while many steps are due.
 constexpr double longestBurst = 1.0 / 120.0;  // [s]
-/// Longest sleep: the maximum delay of a command while nothing moves.
-constexpr double longestSleep = 0.004;  // [s]
+/// Longest time between two snapshots of cloth that sleeps, and without motion before the window is woken [s].
+constexpr double longestStillness = 0.25;
+/// Longest wait for a command while nothing moves. Sleeping cloth then takes the steps of this time together [s].
+constexpr double longestWait = 0.1;
 
 double secondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -24,6 +26,7 @@ double secondsSince(Clock::time_point start) {
 
 SimulationThread::SimulationThread(std::shared_ptr<const scene::Scene> scene, bool paused)
     : simulation_(std::move(scene)) {
+  simulation_.setAccuracyInBackground(true);
   simulation_.apply(PauseCommand{paused});
   simulation_.setStopToken(stop_.get_token());
   publish();
@@ -38,6 +41,7 @@ SimulationThread::SimulationThread(std::shared_ptr<const scene::Scene> scene, bo
 
 SimulationThread::~SimulationThread() {
   stop_.request_stop();
+  queue_.wake();
   if (thread_.joinable()) {
     thread_.join();
   }
@@ -45,6 +49,7 @@ SimulationThread::~SimulationThread() {
 
 const Simulation& SimulationThread::finish() {
   finish_ = true;
+  queue_.wake();
   if (thread_.joinable()) {
     thread_.join();
   }
@@ -56,8 +61,11 @@ void SimulationThread::post(Command command) {
 }
 
 void SimulationThread::inspect(std::function<void(const Simulation&)> look) {
-  const std::scoped_lock lock(inspectionLock_);
-  inspections_.push_back(std::move(look));
+  {
+    const std::scoped_lock lock(inspectionLock_);
+    inspections_.push_back(std::move(look));
+  }
+  queue_.wake();
 }
 
 void SimulationThread::answerInspections() {
@@ -75,11 +83,30 @@ const Snapshot& SimulationThread::latest() {
   return snapshots_.latest();
 }
 
+void SimulationThread::callOnMotion(std::function<void()> wake) {
+  const std::scoped_lock lock(wakeLock_);
+  wake_ = std::move(wake);
+}
+
+/// While the cloth sleeps, only its age changes. Nobody needs that often.
+bool SimulationThread::isWorthPublishing() const {
+  return simulation_.pictureVersion() != publishedPicture_ || secondsSince(lastPublished_) > longestStillness;
+}
+
 void SimulationThread::publish() {
   Snapshot& snapshot = snapshots_.writeSlot();
   simulation_.capture(snapshot);
   snapshot.realTimeFactor = simulation_.paused() ? 0.0 : realTimeFactor_;
   snapshots_.publish();
+  lastPublished_ = Clock::now();
+  if (std::exchange(publishedPicture_, simulation_.pictureVersion()) != simulation_.pictureVersion()) {
+    const bool wakes = secondsSince(lastMotion_) > longestStillness;
+    lastMotion_ = lastPublished_;
+    if (wakes) {
+      const std::scoped_lock lock(wakeLock_);
+      wake_();
+    }
+  }
 }
 
 bool SimulationThread::drain(std::vector<Command>& commands) {
@@ -96,9 +123,10 @@ void SimulationThread::run() {
   std::vector<Command> commands;
   auto last = Clock::now();
   while (!stop_.stop_requested() && !finish_) {
+    const bool wasPaused = simulation_.paused();  // while this thread waited
     const bool changed = drain(commands);
     answerInspections();
-    const double elapsed = secondsSince(last);
+    const double elapsed = wasPaused ? 0.0 : secondsSince(last);
     last = Clock::now();
     const settings::Settings& settings = simulation_.settings();
     double simulated = 0.0;
@@ -113,13 +141,13 @@ void SimulationThread::run() {
       }
       factor.add(elapsed, simulated);
     }
-    if (changed || simulated > 0.0) {
+    if (changed || (simulated > 0.0 && isWorthPublishing())) {
       realTimeFactor_ = factor.value();
       publish();
     }
-    const double wait =
-        simulation_.paused() ? longestSleep : pacer.untilNext(settings.step.timeStep, settings.playback.speed);
-    std::this_thread::sleep_for(std::chrono::duration<double>(std::min(wait, longestSleep)));
+    const bool isStill = simulation_.paused() || secondsSince(lastMotion_) > longestStillness;
+    const double wait = isStill ? longestWait : pacer.untilNext(settings.step.timeStep, settings.playback.speed);
+    queue_.await(std::chrono::duration<double>(std::min(wait, longestWait)));
   }
 }
 

@@ -7,6 +7,8 @@
 #include "session/triple_buffer.hpp"
 
 #include <atomic>
+#include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -32,6 +34,9 @@ class SimulationThread {
   /// when the thread ends first.
   void inspect(std::function<void(const Simulation&)> look);
 
+  /// Sets a function that the thread calls when the picture changes after it was still for a while.
+  void callOnMotion(std::function<void()> wake);
+
   /// Ends the thread after the step in progress and returns its simulation.
   [[nodiscard]] const Simulation& finish();
 
@@ -41,6 +46,7 @@ class SimulationThread {
  private:
   void run();
   void publish();
+  [[nodiscard]] bool isWorthPublishing() const;
   void answerInspections();
   /// Applies the posted commands; whether there were any.
   bool drain(std::vector<Command>& commands);
@@ -51,6 +57,11 @@ class SimulationThread {
   std::vector<std::function<void(const Simulation&)>> inspections_;
   TripleBuffer<Snapshot> snapshots_;
   double realTimeFactor_ = 0.0;
+  std::int64_t publishedPicture_ = -1;                   // Snapshot::pictureVersion
+  std::chrono::steady_clock::time_point lastPublished_;  // any snapshot
+  std::chrono::steady_clock::time_point lastMotion_;     // a snapshot with another picture
+  std::mutex wakeLock_;                                  // of the next line
+  std::function<void()> wake_ = [] {};
   std::atomic<bool> finish_{false};  // after the step in progress
   std::stop_source stop_;            // at once
   std::thread thread_;

@@ -1,5 +1,6 @@
 #include "ui/user_interface.hpp"
 
+#include "sim/model/fingerprint.hpp"
 #include "ui/command_palette.hpp"
 #include "ui/panels.hpp"
 
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace drape::ui {
@@ -248,6 +251,34 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
 void UserInterface::renderDrawData() {
   ImGui::SetCurrentContext(parts_->context);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+std::uint64_t UserInterface::fingerprint() const {
+  ImGui::SetCurrentContext(parts_->context);
+  const ImDrawData& data = *ImGui::GetDrawData();
+  sim::Fingerprint all;
+  const auto add = [&all](const auto& values) {
+    // Word by word; the few bytes of an incomplete last word are part of it.
+    const char* bytes = reinterpret_cast<const char*>(values.Data);  // NOLINT: the bytes of plain data
+    for (std::size_t left = values.size_in_bytes(); left > 0;) {
+      std::uint64_t word = 0;
+      const std::size_t length = std::min(left, sizeof(word));
+      std::memcpy(&word, bytes, length);
+      all.add(word);
+      bytes += length;
+      left -= length;
+    }
+  };
+  for (int i = 0; i < data.CmdListsCount; ++i) {
+    add(data.CmdLists[i]->VtxBuffer);
+    for (const ImDrawCmd& command : data.CmdLists[i]->CmdBuffer) {
+      all.add(command.ClipRect.x);
+      all.add(command.ClipRect.y);
+      all.add(command.ClipRect.z);
+      all.add(command.ClipRect.w);
+    }
+  }
+  return all.value();
 }
 
 void UserInterface::drawLegend(const session::Snapshot& snapshot, const UiStats& stats, int width, int height) {

@@ -7,6 +7,7 @@
 #include "ui/picked_vertices.hpp"
 #include "ui/ui_output.hpp"
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -46,6 +47,9 @@ class UserInterface {
 
   /// Draws the last frame into the bound framebuffer.
   void renderDrawData();
+
+  /// A hash of what the last frame draws, never 0. Two frames with the same hash look the same.
+  [[nodiscard]] std::uint64_t fingerprint() const;
 
   /// Draws the legend of the colour map alone into the bound framebuffer of that size [window units]. For a saved
   /// picture; call it between two frames.

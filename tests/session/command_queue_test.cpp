@@ -1,6 +1,7 @@
 #include "session/command_queue.hpp"
 
 #include <gtest/gtest.h>
+#include <chrono>
 #include <thread>
 
 namespace drape::session {
@@ -17,6 +18,20 @@ TEST(CommandQueue, givesCommandsBackInOrderAndOnce) {
   EXPECT_TRUE(std::holds_alternative<ResetCommand>(taken[1]));
   queue.drain(taken);
   EXPECT_TRUE(taken.empty());
+}
+
+TEST(CommandQueue, endsAWaitWhenACommandIsPostedOrItIsWoken) {
+  constexpr std::chrono::seconds never{3600};
+  CommandQueue queue;
+  std::thread poster([&queue] { queue.post(ResetCommand{}); });
+  queue.await(never);
+  poster.join();
+  std::vector<Command> taken;
+  queue.drain(taken);
+  EXPECT_EQ(taken.size(), 1U);
+  std::thread waker([&queue] { queue.wake(); });
+  queue.await(never);
+  waker.join();
 }
 
 TEST(CommandQueue, losesNothingFromSeveralThreadsAndKeepsEachThreadsOrder) {

@@ -328,7 +328,10 @@ void StatusFile::update(const ViewerStatus& status) {
     return;
   }
   next_ = now + interval;
-  Json json{{"sequence", ++sequence_}, {"frame", status.frame}, {"first_frame_seconds", status.firstFrameSeconds}};
+  Json json{{"sequence", ++sequence_},
+            {"frame", status.frame},
+            {"picture", status.picture},
+            {"first_frame_seconds", status.firstFrameSeconds}};
   json.update(describeAll(status));
   if (!replaceFile(file_, jsonText(json, 1) + '\n')) {
     throw messages::InputError("cannot write the status file " + file_.string() + "; check that its folder exists");

@@ -18,6 +18,7 @@ struct ViewerStatus {
   const ui::UiDisplay& display;
   const ui::UiStats& stats;
   std::int64_t frame = 0;
+  std::int64_t picture = 0;
   double firstFrameSeconds = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
 
@@ -34,7 +35,7 @@ class StatusFile {
   /// The contents of the file, for --help.
   static constexpr const char* help =
       "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
-      "  sequence, frame          counters of writes and of drawn frames\n"
+      "  sequence, frame, picture counters of writes, of frames, and of frames that were drawn because they differ\n"
       "  first_frame_seconds      from the start of the program to its first frame on screen [s]\n"
       "  scene, vertices, pins    name, number of vertices, number of pins\n"
       "  paused, step, time       the clock [s]\n"

@@ -96,6 +96,7 @@ Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabr
   resizeWindow(window_.window(), options, preferences_.window);
   glfwSetWindowSizeLimits(window_.window(), 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSwapInterval(1);
+  simulation_.callOnMotion(glfwPostEmptyEvent);
   if (!options.recordFile.empty()) {
     record_.emplace(options.recordFile, "the session log");
   }
@@ -121,12 +122,17 @@ void Viewer::run() {
   }
 }
 
+bool Viewer::isMinimised() const {
+  return glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE;
+}
+
 /// Waits when nothing moves, to save power. Any event wakes the window at once.
 void Viewer::awaitEvents() const {
   constexpr auto restless = std::chrono::milliseconds(800);
-  const bool minimised = glfwGetWindowAttrib(window_.window(), GLFW_ICONIFIED) == GLFW_TRUE && !export_;
-  if (minimised || Clock::now() - lastChange_ > restless) {
-    glfwWaitEventsTimeout(minimised ? 0.1 : 0.05);
+  // Sleeping cloth gets older; a paused clock shows nothing new.
+  const double calmFrame = isPaused_ ? 0.25 : 2.0;  // [s]
+  if ((isMinimised() && !export_) || Clock::now() - lastChange_ > restless) {
+    glfwWaitEventsTimeout(calmFrame);
   } else {
     glfwPollEvents();
   }
@@ -155,24 +161,42 @@ void Viewer::frame() {
   followCamera(snapshot);
   watchChanges(snapshot, output);
   draw(shown);
-  status_.update({snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, firstFrameSeconds_});
+  status_.update(
+      {snapshot, controller_.camera(), panels_, display_, stats_, ++frameCount_, pictureCount_, firstFrameSeconds_});
   execute(output, snapshot);
   takeChosenFiles(snapshot);
   followPicks();
 }
 
+/// Draws the parts of the window that have changed.
 void Viewer::draw(const session::Snapshot& snapshot) {
   const ui::UiRect view = panels_.view();
+  if (controller_.placing().isOn() || export_) {
+    pictureWatch_.forget();  // the gizmo and films change the picture without a new state
+  }
+  const std::span<const int> picked = panels_.picked().vertices();
+  const PictureWatch::Parts parts = pictureWatch_.changed({.scene = snapshot.scene,
+                                                           .version = snapshot.pictureVersion,
+                                                           .camera = controller_.camera().pose(),
+                                                           .width = view.width * display_.density,
+                                                           .height = view.height * display_.density,
+                                                           .picked = {picked.begin(), picked.end()}},
+                                                          panels_.fingerprint());
+  if (!parts.window || isMinimised()) {
+    return;
+  }
   const auto pixels = [&](double length) {
     return std::max(1, static_cast<int>(std::lround(length * display_.density)));
   };
-  const bool places = controller_.placing().isOn();  // then the picture shows the start, which has no field
-  renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height),
-                 {.field = places ? nullptr : stats_.field, .picked = panels_.picked().vertices()});
+  if (parts.scene) {
+    const bool places = controller_.placing().isOn();  // then the picture shows the start, which has no field
+    renderer_.draw(snapshot, controller_.camera(), pixels(view.width), pixels(view.height),
+                   {.field = places ? nullptr : stats_.field, .picked = picked});
+  }
   blit(view);
   panels_.renderDrawData();
   glfwSwapBuffers(window_.window());
-  if (frameCount_ == 0) {
+  if (pictureCount_++ == 0) {
     firstFrameSeconds_ = processAge();
   }
 }
@@ -308,7 +332,12 @@ bool Viewer::belongsToPanels(const ui::InputEvent& event) {
 
 void Viewer::handleInput(const session::Snapshot& snapshot, ui::UiOutput& output) {
   const WindowEvents::Batch batch = events_.take();
-  if (!snapshot.paused || !batch.input.empty() || events_.waiting() || !stats_.loading.empty()) {
+  if (batch.uncovers) {
+    pictureWatch_.forget();
+  }
+  isPaused_ = snapshot.paused;
+  const bool moves = std::exchange(seenPicture_, snapshot.pictureVersion) != snapshot.pictureVersion;
+  if (moves || !batch.input.empty() || events_.waiting() || !stats_.loading.empty()) {
     lastChange_ = Clock::now();
   }
   for (const ui::InputEvent& event : batch.input) {

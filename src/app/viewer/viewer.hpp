@@ -8,6 +8,7 @@
 #include "app/viewer/export_job.hpp"
 #include "app/viewer/file_dialog.hpp"
 #include "app/viewer/film_painter.hpp"
+#include "app/viewer/picture_watch.hpp"
 #include "app/viewer/preferences.hpp"
 #include "app/viewer/status_file.hpp"
 #include "app/viewer/window_events.hpp"
@@ -55,6 +56,7 @@ class Viewer {
  private:
   using Clock = std::chrono::steady_clock;
 
+  [[nodiscard]] bool isMinimised() const;
   void awaitEvents() const;
   void frame();
   void draw(const session::Snapshot& snapshot);
@@ -129,6 +131,9 @@ class Viewer {
   FileDialog dialog_;
   ui::Undo undo_;
   StatusFile status_;
+  PictureWatch pictureWatch_;
+  bool isPaused_ = false;          ///< in the last frame
+  std::int64_t seenPicture_ = -1;  ///< Snapshot::pictureVersion of the last frame
   std::optional<OutputFile> record_;
   session::SimulationThread simulation_;
   std::optional<FilmPainter> filmPainter_;  ///< of the film that is written
@@ -159,6 +164,7 @@ class Viewer {
   Clock::time_point lastChange_ = Clock::now();  ///< time of the last motion or user input
   double lastTurn_ = 0.0;                        ///< when the turntable turned last, by GLFW's clock [s]
   std::int64_t frameCount_ = 0;
+  std::int64_t pictureCount_ = 0;   ///< of frames that were drawn
   double firstFrameSeconds_ = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
 

@@ -237,6 +237,7 @@ void Viewer::saveScreenshot(const session::Snapshot& snapshot) {
       panels_.drawLegend(bare, stats_, static_cast<int>(view.width), static_cast<int>(view.height));
     }
     render::writePng(renderer_.read(), file);
+    pictureWatch_.forget();
     showNotice(text::Sentence("Saved {}", file.string()));
   } catch (const std::exception& error) {
     showFailure(error);

@@ -132,6 +132,7 @@ WindowEvents::~WindowEvents() {
   glfwSetWindowFocusCallback(window_, nullptr);
   glfwSetDropCallback(window_, nullptr);
   glfwSetWindowCloseCallback(window_, nullptr);
+  glfwSetWindowRefreshCallback(window_, nullptr);
   ImGui_ImplGlfw_Shutdown();
 }
 
@@ -170,6 +171,7 @@ void WindowEvents::installPointer() {
 
 /// The window stays open until the viewer has asked about changes. A minimised window comes back for that question.
 void WindowEvents::installClose() {
+  glfwSetWindowRefreshCallback(window_, [](GLFWwindow* window) { of(window).batch_.uncovers = true; });
   glfwSetWindowCloseCallback(window_, [](GLFWwindow* window) {
     glfwSetWindowShouldClose(window, GLFW_FALSE);
     of(window).batch_.closes = true;

@@ -21,6 +21,7 @@ class WindowEvents {
     std::vector<ui::InputEvent> input;
     std::vector<std::string> droppedFiles;
     bool closes = false;
+    bool uncovers = false;  ///< the window system has lost a part of the picture
   };
 
   /// Needs a UserInterface. Takes over the window's callbacks until destruction.
