@@ -18,5 +18,8 @@ Section hardCases();
 Section collision();
 Section validation();
 Section stretchLimit();
+Section errorCheck();
+Section errorSources();
+Section pace();
 
 }  // namespace drape::report::sections

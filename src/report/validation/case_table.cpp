@@ -144,6 +144,9 @@ constexpr std::string_view tooFewIterations =
     "The number of iterations in a step is fixed and too small for this mesh, so the motion is too slow.";
 constexpr std::string_view tooFewIterationsOfStrip =
     "The number of iterations in a step is fixed and too small for this mesh: the fastest vibration of the membrane "
+    "turns by 60 to 900 rad in a step of a hundredth of the period. So the motion is too slow, and the solver warns.";
+constexpr std::string_view tooFewIterationsOfXpbd =
+    "The number of iterations in a step is fixed and too small for this mesh: the fastest vibration of the membrane "
     "turns by 60 to 900 rad in a step of a hundredth of the period. So the motion is too slow, and the solver warns. "
     "With the substeps that its warning asks for the error is below 0.3 % (strip_xpbd_substeps).";
 
@@ -188,7 +191,8 @@ constexpr std::array casesOfValidation{
         "twist stiffness of a plate whose corners are moved to y = k x z, energy 2 D_33 k^2 an area", "N m", 0.01, twist},
     ValidationCase{.group = bendingGroup, .name = "lateral_buckling", .title = "Strip on edge, clamped at one end",
         .compared = "weight at which it buckles sideways, from the eigenvalue problem of B = D_11 b and C = 4 D_33 b",
-        .unit = "N/m^2", .aim = 0.01, .run = lateralBuckling, .resolutions = lateralResolutions},
+        .unit = "N/m^2", .aim = 0.01, .run = lateralBuckling, .resolutions = lateralResolutions,
+        .reason = "The strip has few cells across its width, where the twist varies; the error falls with finer meshes."},
     ValidationCase{bendingGroup, "stick_slip", "Clamped strip, pressed upright onto a floor by a tenth of its length",
         "friction below which its lower end slips, from the elastica", "", 0.01, stickSlip},
     membraneWith("membrane_auto", "auto"),
@@ -208,7 +212,7 @@ constexpr std::array casesOfValidation{
     stripWith("strip_pcg", "pcg"),
     stripWith("strip_newton", "newton"),
     stripWith("strip_vbd", "vbd", tooFewIterationsOfStrip),
-    stripWith("strip_xpbd", "xpbd", tooFewIterationsOfStrip),
+    stripWith("strip_xpbd", "xpbd", tooFewIterationsOfXpbd),
     substeppedStripWith("strip_xpbd_substeps", "xpbd"),
     ValidationCase{.group = CaseGroup::Frequency, .name = "membrane_22", .title = "Stretched square membrane, mode 2, 2",
         .compared = "frequency, sqrt(S / density) sqrt(8) / (2 L)", .unit = "1/s", .aim = 0.01, .run = membraneMode22,
