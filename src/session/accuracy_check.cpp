@@ -1,6 +1,7 @@
 #include "session/accuracy_check.hpp"
 
 #include "sim/adaptive/step_memory.hpp"
+#include "sim/contact/bodies/substeps.hpp"
 #include "sim/measures/measures.hpp"
 #include "sim/model/sim_error.hpp"
 
@@ -38,14 +39,16 @@ struct AccuracyCheck::CheckedStep {
       movedPins = *inputs.movedPins;
     }
     if (inputs.bodies != nullptr) {
-      keep(*inputs.bodies);
+      bodies_ = &bodySubsteps_.between(*inputs.bodies, 0.0, 1.0);
     }
   }
+  CheckedStep(const CheckedStep&) = delete;  // bodies_ points into it
+  CheckedStep& operator=(const CheckedStep&) = delete;
 
   /// The inputs of the copies. They point into this step.
   [[nodiscard]] sim::StepInputs inputs(const sim::StepInputs& outer) const {
     return {.attachment = attachment,
-            .bodies = &bodies,
+            .bodies = bodies_,
             .movedPins = movedPins.empty() ? nullptr : &movedPins,
             .stop = outer.stop,
             .onProgress = outer.onProgress};
@@ -58,21 +61,10 @@ struct AccuracyCheck::CheckedStep {
   std::vector<sim::Seam> seams;  // that are open
   std::optional<sim::Attachment> attachment;
   std::vector<sim::MovedPin> movedPins;
-  std::vector<sim::contact::BodyStep> bodies;
 
  private:
-  /// Copies the bodies and their vertices, which change with the next step.
-  void keep(const std::vector<sim::contact::BodyStep>& steps) {
-    bodies = steps;
-    vertices_.reserve(2 * bodies.size());
-    for (sim::contact::BodyStep& body : bodies) {
-      for (std::span<const Vec3>* part : {&body.startVertices, &body.endVertices}) {
-        *part = vertices_.emplace_back(part->begin(), part->end());
-      }
-    }
-  }
-
-  std::vector<std::vector<Vec3>> vertices_;  // of the bodies, in their own frames [m]
+  sim::contact::BodySubsteps bodySubsteps_;  // with the vertices of deforming bodies, which change with the next step
+  const std::vector<sim::contact::BodyStep>* bodies_ = nullptr;
 };
 
 class AccuracyCheck::Copies {
@@ -104,9 +96,8 @@ class AccuracyCheck::Copies {
         reference.positions.size() != end.positions.size()) {
       return std::nullopt;
     }
-    // The error of a second-order method is 4/3 of its distance from a run with half the step (Richardson). Other
-    // methods have a larger error than the reference.
-    // The reference is as uncertain as about half of the distance between the copies.
+    // The distance is 3/4 of the error of a second-order method (Richardson), and nearly the whole error of others. The
+    // reference itself is uncertain by about half of the spread.
     const double spread = sim::meanDistance(reference.positions, displaced.positions);
     const double distance = sim::meanDistance(end.positions, reference.positions);
     return sim::Accuracy{
@@ -185,11 +176,6 @@ std::optional<sim::Accuracy> AccuracyCheck::latest() const {
   return latest_;
 }
 
-void AccuracyCheck::finish() {
-  std::unique_lock lock(lock_);
-  changed_.wait(lock, [this] { return tasks_.empty() && !busy_; });
-}
-
 void AccuracyCheck::post(Task task, const sim::StepInputs& inputs) {
   if (!inBackground_) {
     perform(task, inputs);
@@ -199,7 +185,7 @@ void AccuracyCheck::post(Task task, const sim::StepInputs& inputs) {
     const std::scoped_lock lock(lock_);
     tasks_.push_back(std::move(task));
   }
-  changed_.notify_all();
+  changed_.notify_one();
 }
 
 void AccuracyCheck::perform(const Task& task, const sim::StepInputs& inputs) {
@@ -232,7 +218,6 @@ void AccuracyCheck::work(const std::stop_token& stop) {
     if (abandoned != abandoned_) {
       latest_.reset();
     }
-    changed_.notify_all();
   }
 }
 

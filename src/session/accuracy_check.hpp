@@ -20,7 +20,8 @@ namespace drape::session {
 /// solver `auto` and finer steps; the start of the second copy is displaced by a micrometre. Both follow the same
 /// bodies, hands and settings, so air, lift and contact are part of the error. The cloth itself is not affected.
 ///
-/// A state that does not follow from the last step, as after a reset, ends a check without a result.
+/// A state that does not follow from the last step, as after a reset, ends a check without a result. The scene whose
+/// bodies act must exist as long as the check.
 class AccuracyCheck {
  public:
   static constexpr double window = 0.2;    ///< duration of the compared motion [s]
@@ -40,9 +41,6 @@ class AccuracyCheck {
 
   /// The last result since the last state that did not follow from a step; empty if there is none.
   [[nodiscard]] std::optional<sim::Accuracy> latest() const;
-
-  /// Waits until the copies have taken all steps.
-  void finish();
 
  private:
   /// A step of the cloth, with everything that the copies need to take it. It points to nothing that changes.

@@ -324,6 +324,7 @@ void Simulation::on(const LoadSceneCommand& command) {
     throw messages::InputError("there is no scene to load");
   }
   requireSolversForMaterial(command.scene->settings);
+  accuracy_.reset();  // before the bodies of the present scene are gone
   scene_ = command.scene;
   placedStart_.reset();
   pinPaths_ = std::make_shared<const std::vector<scene::PinPath>>(scene_->pinPaths);

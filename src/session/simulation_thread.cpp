@@ -13,7 +13,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Longest time between two snapshots, and between two reads of the command queue, while many steps are due.
 constexpr double longestBurst = 1.0 / 120.0;  // [s]
-/// Longest time between two snapshots of cloth that sleeps, and without motion before the window is woken [s].
+/// The cloth is still after this time without motion: the next motion wakes the window. Sleeping cloth sends snapshots
+/// this far apart [s].
 constexpr double longestStillness = 0.25;
 /// Longest wait for a command while nothing moves. Sleeping cloth then takes the steps of this time together [s].
 constexpr double longestWait = 0.1;

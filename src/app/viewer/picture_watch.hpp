@@ -2,7 +2,6 @@
 
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
-#include "ui/ui_rect.hpp"
 
 #include <cstdint>
 #include <memory>

@@ -18,7 +18,7 @@ struct ViewerStatus {
   const ui::UiDisplay& display;
   const ui::UiStats& stats;
   std::int64_t frame = 0;
-  std::int64_t picture = 0;
+  std::int64_t picture = 0;        ///< number of frames that were drawn
   double firstFrameSeconds = 0.0;  ///< from the start of the program to the first frame on screen [s]
 };
 
