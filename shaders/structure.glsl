@@ -2,7 +2,7 @@
 // it becomes smaller than a pixel, so that there is no moire. Lengths in yarns: x counts columns (warp yarns or wales),
 // y counts rows (weft yarns or courses).
 
-uniform int structure;      // Structure in src/render/fabric_look.hpp
+uniform int structure;      // Structure in src/fabrics/look.hpp
 uniform vec3 weave;         // repeat, step, weft on top
 uniform vec2 count;         // columns and rows a metre
 uniform float relief;       // steepest slope of a yarn's side

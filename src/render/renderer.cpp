@@ -50,7 +50,7 @@ float pixelsPerMetre(const Camera& camera, int height) {
   return static_cast<float>(height / (2.0 * scene::viewOffset(pose).norm() * scene::tanHalfAngle(pose)));
 }
 
-Eigen::Vector3f vectorOf(const Colour& colour) {
+Eigen::Vector3f vectorOf(const fabrics::Colour& colour) {
   return {colour[0], colour[1], colour[2]};
 }
 
@@ -61,7 +61,7 @@ void setLight(const ShaderProgram& program) {
 }
 
 /// Sets the uniforms of fabric.frag. @param warpAngle as fabric.warp_angle [degrees]
-void setFabric(const ShaderProgram& program, const FabricLook& look, double warpAngle) {
+void setFabric(const ShaderProgram& program, const fabrics::Look& look, double warpAngle) {
   const auto angle = static_cast<float>(warpAngle * std::numbers::pi / 180.0);
   program.set("structure", static_cast<int>(look.structure));
   program.set("weave", Eigen::Vector3f(static_cast<float>(look.weave.repeat), static_cast<float>(look.weave.step),

@@ -1,11 +1,11 @@
 #include "scene/fabric_file.hpp"
 
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "scene/text_file.hpp"
 #include "scene/toml_reader.hpp"
 #include "scene/toml_text.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <algorithm>
 
@@ -20,9 +20,9 @@ std::string_view keyInFile(std::string_view settingKey) {
 }
 
 /// The built-in fabric that an own one is based on, or nullptr.
-const sim::fabric::MaterialPreset* readBase(const TomlReader& table) {
+const fabrics::Preset* readBase(const TomlReader& table) {
   const std::string name = table.text("based_on").value_or("");
-  const sim::fabric::MaterialPreset* base = sim::fabric::findPreset(name);
+  const fabrics::Preset* base = fabrics::findPreset(name);
   if (base == nullptr && !name.empty()) {
     throw messages::UsageError("based_on must be a built-in fabric ('drape-headless list fabrics' lists them); '" +
                                name + "' is not");
@@ -31,7 +31,7 @@ const sim::fabric::MaterialPreset* readBase(const TomlReader& table) {
 }
 
 /// The settings with the values of a table.
-settings::Settings readValues(const TomlReader& table, const sim::fabric::MaterialPreset* base) {
+settings::Settings readValues(const TomlReader& table, const fabrics::Preset* base) {
   settings::Settings values;
   if (base != nullptr) {
     settings::assignSetting(values, settings::requireSetting("material.preset"), std::string(base->name));
@@ -65,7 +65,7 @@ settings::OwnFabric readFabric(const TomlReader& table) {
     if (const std::string problem = settings::problemWithFabricName(name); !problem.empty()) {
       throw messages::UsageError(problem);
     }
-    const sim::fabric::MaterialPreset* base = readBase(table);
+    const fabrics::Preset* base = readBase(table);
     settings::OwnFabric fabric = settings::fabricOf(readValues(table, base), name);
     fabric.basedOn = base == nullptr ? "" : base->name;
     fabric.source = table.text("source").value_or("");

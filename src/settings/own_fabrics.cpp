@@ -1,5 +1,6 @@
 #include "settings/own_fabrics.hpp"
 
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 
@@ -21,9 +22,9 @@ bool sameLetters(std::string_view a, std::string_view b) {
                     [](unsigned char one, unsigned char other) { return std::tolower(one) == std::tolower(other); });
 }
 
-const sim::fabric::MaterialPreset* presetCalled(std::string_view name) {
-  const auto presets = sim::fabric::presetTable();
-  const auto found = std::find_if(presets.begin(), presets.end(), [&](const sim::fabric::MaterialPreset& preset) {
+const fabrics::Preset* presetCalled(std::string_view name) {
+  const auto presets = fabrics::presetTable();
+  const auto found = std::find_if(presets.begin(), presets.end(), [&](const fabrics::Preset& preset) {
     return sameLetters(name, preset.name) || sameLetters(name, preset.title);
   });
   return found == presets.end() ? nullptr : &*found;
@@ -55,7 +56,7 @@ std::string problemWithFabricName(std::string_view name) {
   if (name.front() == ' ' || name.back() == ' ' || hasControlCharacter(name)) {
     return "the name " + quoted + " must neither begin nor end with a blank, and have no control characters";
   }
-  if (const sim::fabric::MaterialPreset* preset = presetCalled(name)) {
+  if (const fabrics::Preset* preset = presetCalled(name)) {
     return "the name " + quoted + " belongs to the built-in fabric " + std::string(preset->title) +
            "; choose another name";
   }
@@ -113,7 +114,7 @@ void requireAllowed(const OwnFabric& fabric) {
   Settings values;
   useFabric(values, fabric);
   try {
-    if (!fabric.basedOn.empty() && sim::fabric::findPreset(fabric.basedOn) == nullptr) {
+    if (!fabric.basedOn.empty() && fabrics::findPreset(fabric.basedOn) == nullptr) {
       throw messages::UsageError("based_on must be a built-in fabric; '" + fabric.basedOn + "' is not");
     }
     requireFabricValues(values);
@@ -136,16 +137,16 @@ std::span<const std::string_view> fabricFrictionKeys() {
   return keys;
 }
 
-void useFriction(Settings& settings, const sim::fabric::FabricFriction& friction) {
-  settings.step.contact.staticFriction = friction.selfStatic;
-  settings.step.contact.kineticFriction = friction.selfKinetic;
-  settings.step.contact.bodyFriction = sim::fabric::skinFrictionRatio(friction);
+void useFriction(Settings& settings, std::string_view preset) {
+  if (const fabrics::Preset* found = fabrics::findPreset(preset)) {
+    settings.step.contact.staticFriction = found->friction.selfStatic;
+    settings.step.contact.kineticFriction = found->friction.selfKinetic;
+    settings.step.contact.bodyFriction = fabrics::skinFrictionRatio(found->friction);
+  }
 }
 
 void useFabric(Settings& settings, const OwnFabric& fabric) {
-  if (const sim::fabric::MaterialPreset* base = sim::fabric::findPreset(fabric.basedOn)) {
-    useFriction(settings, base->friction);
-  }
+  useFriction(settings, fabric.basedOn);
   settings.fabric.moduli = fabric.material;
   settings.fabric.density = fabric.density;
   settings.fabric.preset = fabric.name;

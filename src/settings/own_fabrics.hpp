@@ -1,7 +1,6 @@
 #pragma once
 
 #include "sim/fabric/material.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <memory>
 #include <span>
@@ -64,8 +63,8 @@ void requireAllowed(const OwnFabric& fabric);
 /// other.
 void requireFabricValues(const Settings& settings);
 
-/// Sets the friction of cloth on cloth and on bodies to that of a preset.
-void useFriction(Settings& settings, const sim::fabric::FabricFriction& friction);
+/// Sets the friction of cloth on cloth and on bodies to that of the preset with this name, if there is one.
+void useFriction(Settings& settings, std::string_view preset);
 
 /// All values of a fabric at once, and the friction of the preset that it is based on. Single values could pass through
 /// combinations that are refused.

@@ -35,7 +35,7 @@ struct Settings {
     std::string lumping = "area";         ///< "area" or "uniform"
   } material;
 
-  /// Counts while material.model is "fabric". Starts as one of the presets (sim/fabric/presets.hpp).
+  /// Counts while material.model is "fabric". Starts as one of the presets (fabrics/presets.hpp).
   struct Fabric {
     sim::fabric::Material moduli;
     double density = 0.0;           ///< [kg/m^2]

@@ -1,5 +1,5 @@
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
+#include "fabrics/presets.hpp"
 #include "sim/fields/field_table.hpp"
 #include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
@@ -209,14 +209,14 @@ constexpr std::array restCurvatures{
 
 std::vector<std::string> fabricNames() {
   std::vector<std::string> names;
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     names.emplace_back(preset.name);
   }
   return names;
 }
 
 ChoiceLabel fabricLabel(std::string_view word) {
-  const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(word);
+  const fabrics::Preset* preset = fabrics::findPreset(word);
   return preset == nullptr ? ChoiceLabel{} : ChoiceLabel{preset->title, preset->source};
 }
 
@@ -235,7 +235,7 @@ std::vector<OwnChoice> ownFabricChoices(const Settings& settings) {
 /// Whether the fabric has the values of the preset or the own fabric with that name.
 bool hasValuesOf(const Settings& settings, std::string_view name) {
   const Settings::Fabric& fabric = settings.fabric;
-  if (const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(name)) {
+  if (const fabrics::Preset* preset = fabrics::findPreset(name)) {
     return preset->material == fabric.moduli && preset->density == fabric.density;
   }
   const OwnFabric* own = findOwnFabric(fabric.own, name);
@@ -267,11 +267,11 @@ bool isCustomFabric(std::string_view text) {
 
 /// A changed fabric keeps its values: they follow as single settings.
 void setPreset(Settings& settings, const std::string& name) {
-  if (const sim::fabric::MaterialPreset* preset = sim::fabric::findPreset(name)) {
+  if (const fabrics::Preset* preset = fabrics::findPreset(name)) {
     settings.fabric.moduli = preset->material;
     settings.fabric.density = preset->density;
     settings.fabric.preset = name;
-    useFriction(settings, preset->friction);
+    useFriction(settings, name);
   } else if (const OwnFabric* own = findOwnFabric(settings.fabric.own, name)) {
     useFabric(settings, OwnFabric(*own));
   } else {

@@ -1,8 +1,8 @@
 #include "app/fabric_list.hpp"
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "program.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <gtest/gtest.h>
 #include <fstream>
@@ -39,7 +39,7 @@ TEST(Fabrics, areListedWithAllValuesAndSources) {
   const Outcome outcome = headless("list fabrics --json --fabrics " + listWith(softDenim));
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   const auto list = nlohmann::json::parse(outcome.output);
-  ASSERT_EQ(list.size(), sim::fabric::presetTable().size() + 1);
+  ASSERT_EQ(list.size(), fabrics::presetTable().size() + 1);
   for (const auto& row : list) {
     for (const std::string_view key : settings::fabricValueKeys()) {
       EXPECT_TRUE(row.contains(key)) << row;

@@ -1,8 +1,8 @@
 #include "compare_images.hpp"
+#include "fabrics/presets.hpp"
 #include "render/osmesa_context.hpp"
 #include "render/renderer.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 #include "wavy_sheet.hpp"
 
 #include <gtest/gtest.h>
@@ -102,7 +102,7 @@ TEST_F(FabricPicture, YarnsShowFromNearAndLeaveNoMoireFarther) {
   for (const char* preset : {"denim", "canvas", "linen", "jersey", "leather"}) {
     EXPECT_GT(contrastOf(picture(sheetOf(preset), cameraAt(0.03))), 15) << preset;
   }
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     for (const double distance : {1.3, 1.7, 2.3}) {
       EXPECT_LE(contrastOf(picture(sheetOf(preset.name), cameraAt(distance))), 6) << preset.name << " " << distance;
     }

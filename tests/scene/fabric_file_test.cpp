@@ -1,9 +1,9 @@
 #include "scene/fabric_file.hpp"
 
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "scene/scene_file.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,7 @@ TEST(FabricFile, fillsTheGapsFromTheFabricThatItIsBasedOn) {
   const settings::OwnFabrics fabrics = parseFabrics(softDenim, "mine.toml");
   ASSERT_EQ(fabrics->size(), 1U);
   EXPECT_EQ(fabrics->front().material.shear, 40.0);
-  EXPECT_EQ(fabrics->front().material.stretchWeft, sim::fabric::findPreset("denim")->material.stretchWeft);
+  EXPECT_EQ(fabrics->front().material.stretchWeft, fabrics::findPreset("denim")->material.stretchWeft);
   EXPECT_EQ(fabrics->front().basedOn, "denim");
   EXPECT_EQ(parseFabrics("", "mine.toml"), nullptr);
 }

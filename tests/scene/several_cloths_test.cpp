@@ -1,8 +1,8 @@
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_file.hpp"
 #include "sim/fabric/fabric.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -88,10 +88,10 @@ TEST(SeveralCloths, haveTheirOwnFabrics) {
       "[settings]\nmaterial.model = \"fabric\"\nmaterial.preset = \"silk\"\ngrid.resolution = 5\n";
   const auto scene = builtFrom(upper + lower + denim + settings);
   ASSERT_NE(scene->model->fabric, nullptr);
-  EXPECT_EQ(scene->model->fabric->materials[0], sim::fabric::findPreset("silk")->material);
-  EXPECT_EQ(scene->model->fabric->materials[32], sim::fabric::findPreset("denim")->material);
-  EXPECT_NEAR(massOf(*scene, scene->cloths[0]), sim::fabric::findPreset("silk")->density, 1e-12);
-  EXPECT_NEAR(massOf(*scene, scene->cloths[1]), sim::fabric::findPreset("denim")->density, 1e-12);
+  EXPECT_EQ(scene->model->fabric->materials[0], fabrics::findPreset("silk")->material);
+  EXPECT_EQ(scene->model->fabric->materials[32], fabrics::findPreset("denim")->material);
+  EXPECT_NEAR(massOf(*scene, scene->cloths[0]), fabrics::findPreset("silk")->density, 1e-12);
+  EXPECT_NEAR(massOf(*scene, scene->cloths[1]), fabrics::findPreset("denim")->density, 1e-12);
   EXPECT_EQ(builtFrom(upper + lower + settings)->model->fabric->materials.list().size(), 1U)
       << "equal fabrics are one material";
 }

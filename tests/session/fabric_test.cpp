@@ -1,7 +1,7 @@
 #include "sim/fabric/fabric.hpp"
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "session/simulation.hpp"
-#include "sim/fabric/presets.hpp"
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(Fabric, isPartOfTheModelThatTheSceneBuilds) {
   EXPECT_EQ(smallGrid()->model->fabric, nullptr);
   const auto scene = smallGrid(9, {"material.model=fabric", "material.preset=denim"});
   ASSERT_NE(scene->model->fabric, nullptr);
-  EXPECT_EQ(scene->model->fabric->materials[0], sim::fabric::findPreset("denim")->material);
+  EXPECT_EQ(scene->model->fabric->materials[0], fabrics::findPreset("denim")->material);
   EXPECT_NEAR(scene->model->totalMass(), 0.1, 1e-12) << "the scene gives the mass";
   const auto own = smallGrid(9, {"material.model=fabric", "material.preset=denim", "fabric.own_density=on"});
   EXPECT_NEAR(own->model->totalMass(), 0.324, 1e-12) << "the sheet has one square metre";

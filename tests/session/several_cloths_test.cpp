@@ -1,9 +1,9 @@
+#include "fabrics/presets.hpp"
 #include "intersection/intersections.hpp"
 #include "scene/scene_file.hpp"
 #include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/fabric.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -95,9 +95,9 @@ TEST(SeveralCloths, KeepTheirOwnFabricWhenThatOfTheSceneChanges) {
   Simulation simulation = twoSheets(0.1, "material.model = \"fabric\"\nmaterial.preset = \"silk\"\n");
   const auto trianglesOf = static_cast<std::size_t>(loose(simulation).firstTriangle);
   simulation.apply(SetSettingCommand{"material.preset", std::string("linen")});
-  EXPECT_EQ(simulation.model().fabric->materials[0], sim::fabric::findPreset("linen")->material);
-  EXPECT_EQ(simulation.model().fabric->materials[trianglesOf], sim::fabric::findPreset("denim")->material);
-  EXPECT_NEAR(massOfLoose(simulation), 0.16 * sim::fabric::findPreset("denim")->density, 1e-12);
+  EXPECT_EQ(simulation.model().fabric->materials[0], fabrics::findPreset("linen")->material);
+  EXPECT_EQ(simulation.model().fabric->materials[trianglesOf], fabrics::findPreset("denim")->material);
+  EXPECT_NEAR(massOfLoose(simulation), 0.16 * fabrics::findPreset("denim")->density, 1e-12);
   simulation.apply(SetSettingCommand{"density", 0.5});
   EXPECT_NEAR(massOfLoose(simulation), 0.16 * 0.5, 1e-12) << "it has no density of its own";
   EXPECT_NEAR(simulation.model().totalMass(), (1.0 + 0.16) * 0.5, 1e-12);

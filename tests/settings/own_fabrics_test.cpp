@@ -1,8 +1,8 @@
 #include "settings/own_fabrics.hpp"
 
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -40,7 +40,7 @@ std::string refusalOf(const OwnFabric& fabric) {
 
 TEST(OwnFabrics, consistOfExactlyTheValuesThatAPresetSets) {
   std::set<std::string_view> set;
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     for (const SettingInfo* info : differingSettings(Settings{}, withFabric(preset.name))) {
       set.insert(info->key);
     }

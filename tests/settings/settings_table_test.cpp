@@ -1,7 +1,7 @@
 #include "settings/settings_table.hpp"
 
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
-#include "sim/fabric/presets.hpp"
 #include "sim/solvers/solver.hpp"
 
 #include <gtest/gtest.h>
@@ -271,7 +271,7 @@ TEST(FabricSettings, givenToSpringsForTheirLookHaveAnEffect) {
 
 TEST(FabricSettings, takeTheValuesOfEveryPreset) {
   const SettingInfo& info = requireSetting("material.preset");
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     Settings settings;
     assignSetting(settings, info, std::string(preset.name));
     EXPECT_EQ(settings.fabric.moduli, preset.material) << preset.name;

@@ -1,9 +1,9 @@
 // The panels in another language: every text that they show has a translation, and nothing but the texts changes.
 #include "panel_fixture.hpp"
 
+#include "fabrics/presets.hpp"
 #include "locale/language.hpp"
 #include "settings/surface_fields.hpp"
-#include "sim/fabric/presets.hpp"
 #include "sim/fields/field_table.hpp"
 #include "ui/search.hpp"
 #include "ui/undo.hpp"
@@ -198,7 +198,7 @@ std::vector<std::string> textsOfTables() {
     add(field.title);
     add(field.help);
   }
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     add(preset.title);
     add(preset.source);
   }

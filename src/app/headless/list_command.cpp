@@ -2,12 +2,12 @@
 #include "app/fabric_json.hpp"
 #include "app/headless/commands.hpp"
 #include "app/output_file.hpp"
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
 #include "report/hardcases/hard_case_rows.hpp"
 #include "report/validation/validation_rows.hpp"
 #include "scene/scene.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/fabric/presets.hpp"
 #include "sim/solvers/solver.hpp"
 
 #include <algorithm>
@@ -74,7 +74,7 @@ Json fabricAsJson(const settings::OwnFabric& fabric, std::string_view title, boo
 /// The built-in fabrics, then the user's.
 Json fabricsAsJson(const settings::OwnFabrics& own) {
   Json list = Json::array();
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     Json row = fabricAsJson({std::string(preset.name), {}, std::string(preset.source), preset.density, preset.material},
                             preset.title, false);
     row["thickness"] = preset.thickness;

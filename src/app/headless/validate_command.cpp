@@ -57,7 +57,7 @@ void validate(const ValidateArguments& arguments) {
         std::cout << report::validation::validationLine(rows.back()) << std::flush;
       }
       if (!series.passes()) {
-        off += (off.empty() ? "" : ", ") + std::string(one.name) + " " + std::string(nameOf(kind));
+        off += (off.empty() ? "" : ", ") + one.name + " " + std::string(nameOf(kind));
       }
     }
   }

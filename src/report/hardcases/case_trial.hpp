@@ -51,7 +51,7 @@ class CaseTrial {
 
   /// The same as `settings` for a fabric with its own density. Throws CaseRefused when the solver under test takes
   /// springs only.
-  /// @param preset of the table in sim/fabric/presets.hpp
+  /// @param preset of the table in fabrics/presets.hpp
   [[nodiscard]] settings::Settings fabricSettings(const std::string& preset,
                                                   const std::vector<std::string>& changes) const;
 

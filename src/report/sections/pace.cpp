@@ -1,3 +1,4 @@
+#include "fabrics/presets.hpp"
 #include "report/number_text.hpp"
 #include "report/sections/pace_view.hpp"
 #include "report/sections/sections.hpp"
@@ -6,7 +7,6 @@
 #include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/fabric.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +93,7 @@ ReportRows measurePace(const PaceScene& pace, std::string_view preset, const std
 SectionPlan plan(const ReportOptions& options) {
   SectionPlan plan;
   for (const PaceScene& pace : scenesOf(options.quick)) {
-    for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+    for (const fabrics::Preset& preset : fabrics::presetTable()) {
       if (options.quick && preset.name != "cotton" && preset.name != "jersey") {
         continue;
       }

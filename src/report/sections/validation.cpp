@@ -25,7 +25,7 @@ SectionPlan planOfValidation(const ReportOptions& options) {
   SectionPlan plan;
   for (const ValidationCase& one : validation::validationTable()) {
     for (const MeshKind kind : one.kinds) {
-      plan.cells.push_back({std::string(one.name) + " " + std::string(nameOf(kind)), options.quick ? 0.1 : 1.0,
+      plan.cells.push_back({one.name + " " + std::string(nameOf(kind)), options.quick ? 0.1 : 1.0,
                             [&one, kind, quick = options.quick](const CellContext& context) {
                               return measureSeries(one, kind, quick, context);
                             }});

@@ -1,7 +1,7 @@
+#include "fabrics/presets.hpp"
 #include "report/validation/cases.hpp"
 #include "report/validation/closed_forms.hpp"
 #include "sim/fabric/fabric.hpp"
-#include "sim/fabric/presets.hpp"
 #include "sim/measures/equilibrium.hpp"
 
 #include <Eigen/SparseCholesky>
@@ -84,12 +84,12 @@ Comparison heavyElasticaHanging(const CaseMesh& mesh) {
 }
 
 Comparison peirceWarp(const CaseMesh& mesh) {
-  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  const fabrics::Preset& preset = *fabrics::findPreset(mesh.subject);
   return peirce(preset.material, preset.density, mesh);
 }
 
 Comparison peirceWeft(const CaseMesh& mesh) {
-  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  const fabrics::Preset& preset = *fabrics::findPreset(mesh.subject);
   return peirce(turned(preset.material), preset.density, mesh);
 }
 

@@ -12,27 +12,6 @@ namespace {
 
 constexpr double notAtRest = std::numeric_limits<double>::quiet_NaN();
 
-/// Drape coefficients of fabrics of this kind [%].
-struct UsualRange {
-  std::string_view preset;
-  double lower = 0.0;
-  double upper = 100.0;
-};
-
-// Ranges for silk, wool, cotton, denim and leather are often quoted for Cusick's test, without one source. The others
-// are estimates: linen and canvas as stiff cottons, jersey as a knit.
-constexpr std::array usualRanges{
-    UsualRange{"silk", 20.0, 40.0},   UsualRange{"wool", 40.0, 70.0},    UsualRange{"cotton", 60.0, 76.0},
-    UsualRange{"denim", 70.0, 90.0},  UsualRange{"leather", 47.0, 70.0}, UsualRange{"linen", 60.0, 85.0},
-    UsualRange{"canvas", 75.0, 95.0}, UsualRange{"jersey", 20.0, 50.0},
-};
-
-UsualRange rangeOf(std::string_view preset) {
-  const auto* const found =
-      std::ranges::find_if(usualRanges, [&](const UsualRange& range) { return range.preset == preset; });
-  return found == usualRanges.end() ? UsualRange{} : *found;
-}
-
 /// The report has a picture of these presets, on a mesh that is neither coarse nor large.
 bool isPictured(const CaseMesh& mesh) {
   constexpr std::array<std::string_view, 4> presets{"silk", "cotton", "denim", "leather"};
@@ -63,9 +42,10 @@ CaseMesh onceTheVertices(const CaseMesh& mesh) {
 }  // namespace
 
 Comparison cusick(const CaseMesh& mesh) {
-  const DrapedDisc draped = drapedDisc(cusickDisc, *sim::fabric::findPreset(mesh.subject), mesh);
+  const fabrics::Preset& preset = *fabrics::findPreset(mesh.subject);
+  const DrapedDisc draped = drapedDisc(cusickDisc, preset, mesh);
   const std::vector<Triangle>& triangles = draped.disc.sheet.mesh.triangles;
-  const UsualRange range = rangeOf(mesh.subject);
+  const fabrics::DrapeRange range = preset.drape.value_or(fabrics::DrapeRange{});
   return {
       .measured = coefficientOf(draped),
       .exact = range.lower,
@@ -77,7 +57,7 @@ Comparison cusick(const CaseMesh& mesh) {
 
 Comparison remeshedDisc(const CaseMesh& mesh) {
   constexpr double points = 3.0;
-  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  const fabrics::Preset& preset = *fabrics::findPreset(mesh.subject);
   const double once = coefficientOf(drapedDisc(cusickDisc, preset, onceTheVertices(mesh)));
   return {
       .measured = coefficientOf(drapedDisc(cusickDisc, preset, mesh)), .exact = once - points, .upper = once + points};
@@ -85,7 +65,7 @@ Comparison remeshedDisc(const CaseMesh& mesh) {
 
 Comparison remeshedCape(const CaseMesh& mesh) {
   constexpr DiscForm cape{.radius = 0.25, .support = 0.13};
-  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  const fabrics::Preset& preset = *fabrics::findPreset(mesh.subject);
   return {.measured = depthOfRim(drapedDisc(cape, preset, mesh)),
           .exact = depthOfRim(drapedDisc(cape, preset, onceTheVertices(mesh)))};
 }

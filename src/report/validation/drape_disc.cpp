@@ -153,7 +153,7 @@ std::vector<Vec3> wavesOf(const DiscForm& form, const Disc& disc) {
 
 }  // namespace
 
-DrapedDisc drapedDisc(const DiscForm& form, const sim::fabric::MaterialPreset& preset, const CaseMesh& mesh) {
+DrapedDisc drapedDisc(const DiscForm& form, const fabrics::Preset& preset, const CaseMesh& mesh) {
   constexpr int coarsest = 12;
   constexpr double gravity = 9.81;  // [m/s^2]
   constexpr sim::EquilibriumOptions options{.tolerance = 1e-6, .maxIterations = 400};

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "fabrics/presets.hpp"
 #include "report/validation/test_sheet.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <memory>
 #include <span>
@@ -47,8 +47,7 @@ struct DrapedDisc {
 /// which have less energy than three or five to eight (found for silk, wool and leather). Each finer disc starts from
 /// the equilibrium of a coarser one. So discs of all resolutions and kinds have the same folds as far as these are
 /// stable.
-[[nodiscard]] DrapedDisc drapedDisc(const DiscForm& form, const sim::fabric::MaterialPreset& preset,
-                                    const CaseMesh& mesh);
+[[nodiscard]] DrapedDisc drapedDisc(const DiscForm& form, const fabrics::Preset& preset, const CaseMesh& mesh);
 
 inline constexpr int shadowAngles = 1440;
 

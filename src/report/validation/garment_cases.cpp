@@ -1,7 +1,7 @@
+#include "fabrics/presets.hpp"
 #include "io/garments/garments.hpp"
 #include "report/validation/cases.hpp"
 #include "sim/fabric/fabric.hpp"
-#include "sim/fabric/presets.hpp"
 #include "sim/measures/equilibrium.hpp"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ std::vector<sim::fabric::RestTriangle> patternOf(const io::RenderMesh& render) {
 HungSkirt hungSkirt(int cells, const CaseMesh& mesh) {
   constexpr double gravity = 9.81;  // [m/s^2]
   constexpr double length = 0.695;  // from waist to hem [m]
-  const sim::fabric::MaterialPreset& preset = *sim::fabric::findPreset(mesh.subject);
+  const fabrics::Preset& preset = *fabrics::findPreset(mesh.subject);
   const io::ImportedMesh skirt = io::weldMesh(io::makeSkirtOfEdges(length / cells), "skirt", {});
   std::vector<int> waist;
   HungSkirt hung{.positions = {}, .triangles = skirt.cloth.triangles, .hem = {}};

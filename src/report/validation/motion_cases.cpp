@@ -1,7 +1,7 @@
+#include "fabrics/presets.hpp"
 #include "report/validation/cases.hpp"
 #include "report/validation/closed_forms.hpp"
 #include "report/validation/test_motion.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ TestSheet freeSheet(const CaseMesh& mesh) {
 }
 
 std::shared_ptr<const sim::ClothModel> freeCloth(const TestSheet& sheet) {
-  const sim::fabric::MaterialPreset& cotton = *sim::fabric::findPreset("cotton");
+  const fabrics::Preset& cotton = *fabrics::findPreset("cotton");
   return clothOf(sheet, cotton.material, cotton.density, {});
 }
 
@@ -102,9 +102,9 @@ Fall fallOf(double times, const CaseMesh& mesh, const TerminalFall& closed) {
 
 TerminalFall closedFall() {
   const sim::StepParameters parameters;
-  return {.speed =
-              terminalSpeed(sim::fabric::findPreset("cotton")->density, parameters.air.density, dragCoefficient, earth),
-          .gravity = earth};
+  return {
+      .speed = terminalSpeed(fabrics::findPreset("cotton")->density, parameters.air.density, dragCoefficient, earth),
+      .gravity = earth};
 }
 
 }  // namespace

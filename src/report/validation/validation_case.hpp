@@ -47,11 +47,11 @@ inline constexpr std::array validationResolutions{10, 20, 40};
 /// A test of the mechanics of fabric against a closed form, declared in the table of case_table.cpp.
 struct ValidationCase {
   CaseGroup group = CaseGroup::Membrane;
-  std::string_view name;      ///< "heavy_elastica_15"
-  std::string_view title;     ///< "Clamped strip under its weight, Gamma = 15"
-  std::string_view compared;  ///< the quantity and its closed form
-  std::string_view unit;      ///< of the quantity; empty for a plain number
-  double aim = 0.0;           ///< largest error in size [-]
+  std::string name;      ///< "heavy_elastica_15"
+  std::string title;     ///< "Clamped strip under its weight, Gamma = 15"
+  std::string compared;  ///< the quantity and its closed form
+  std::string unit;      ///< of the quantity; empty for a plain number
+  double aim = 0.0;      ///< largest error in size [-]
   Comparison (*run)(const CaseMesh&) = nullptr;
   std::array<int, 3> resolutions = validationResolutions;  ///< cells along the sheet, ascending
   std::span<const MeshKind> kinds = meshKinds;

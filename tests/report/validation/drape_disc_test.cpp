@@ -88,11 +88,11 @@ TEST(Folds, areTheMaximaOfTheShadow) {
 }
 
 TEST(DrapedDisc, hangsLowerTheLessItResistsBending) {
-  sim::fabric::MaterialPreset stiff = *sim::fabric::findPreset("leather");
-  sim::fabric::MaterialPreset soft = stiff;
+  fabrics::Preset stiff = *fabrics::findPreset("leather");
+  fabrics::Preset soft = stiff;
   soft.material.bendWarp = soft.material.bendWeft = soft.material.bendBias = 0.2 * stiff.material.bendWarp;
   const CaseMesh mesh{.resolution = testCells, .kind = MeshKind::Alternating};
-  const auto coefficient = [&](const sim::fabric::MaterialPreset& preset) {
+  const auto coefficient = [&](const fabrics::Preset& preset) {
     const DrapedDisc draped = drapedDisc(cusickDisc, preset, mesh);
     EXPECT_TRUE(draped.converged);
     return drapeCoefficient(shadowOf(draped.positions, draped.disc.sheet.mesh.triangles));
@@ -103,7 +103,7 @@ TEST(DrapedDisc, hangsLowerTheLessItResistsBending) {
 }
 
 TEST(DrapedDisc, continuesOnAFinerMeshWithTheSameFolds) {
-  const sim::fabric::MaterialPreset& denim = *sim::fabric::findPreset("denim");
+  const fabrics::Preset& denim = *fabrics::findPreset("denim");
   for (const int cells : {testCells, 18}) {
     const DrapedDisc draped = drapedDisc(cusickDisc, denim, {.resolution = cells, .kind = MeshKind::Alternating});
     const std::vector<double> shadow = shadowOf(draped.positions, draped.disc.sheet.mesh.triangles);

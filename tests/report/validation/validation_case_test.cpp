@@ -1,7 +1,7 @@
 #include "report/validation/validation_case.hpp"
 
+#include "fabrics/presets.hpp"
 #include "messages/error.hpp"
-#include "sim/fabric/presets.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +98,7 @@ TEST(ValidationSeries, passesByEveryResolutionWhereTheCaseSaysSo) {
 }
 
 TEST(ValidationCases, testEveryPresetByPeirceAndByCusick) {
-  for (const sim::fabric::MaterialPreset& preset : sim::fabric::presetTable()) {
+  for (const fabrics::Preset& preset : fabrics::presetTable()) {
     EXPECT_EQ(requireValidationCase("peirce_" + std::string(preset.name)).subject, preset.name);
     EXPECT_EQ(requireValidationCase("cusick_" + std::string(preset.name)).subject, preset.name);
   }

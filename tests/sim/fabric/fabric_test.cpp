@@ -241,7 +241,7 @@ TEST(Fabric, isEquallyStiffInAllDirectionsIfItIsIsotropic) {
 }
 
 /// The sheet of 1 m x 1 m bent to a part of a cylinder about an axis in its plane. @param angle of the axis to z [rad]
-std::vector<Vec3> rolled(const std::vector<Vec3>& flat, double radius, double angle) {
+std::vector<Vec3> rolledAtAnAngle(const std::vector<Vec3>& flat, double radius, double angle) {
   std::vector<Vec3> positions;
   const Vec3 axis(std::sin(angle), 0.0, std::cos(angle));
   const Vec3 across(std::cos(angle), 0.0, -std::sin(angle));
@@ -271,7 +271,7 @@ TEST(Fabric, hasTheBendingEnergyOfACylinder) {
                                                                 {0.25 * std::numbers::pi, material.bendBias}};
   for (const auto& [angle, stiffness] : stiffnessAtAngle) {
     const double expected = 0.5 * stiffness / (radius * radius);  // for the area of 1 m^2
-    const double energy = elasticEnergy(*model, rolled(springs->restPositions, radius, angle));
+    const double energy = elasticEnergy(*model, rolledAtAnAngle(springs->restPositions, radius, angle));
     EXPECT_NEAR(energy, expected, 0.06 * expected) << angle;
   }
 }
@@ -279,7 +279,7 @@ TEST(Fabric, hasTheBendingEnergyOfACylinder) {
 TEST(Fabric, isFlatAtRestWhateverTheShapeOfTheMesh) {
   const auto springs = buildClothModel(sheet(9), 0.1, MassLumping::Area, {});
   ClothMesh curved = sheet(9);
-  curved.positions = rolled(curved.positions, 0.5, 0.0);
+  curved.positions = rolledAtAnAngle(curved.positions, 0.5, 0.0);
   const auto tube = asFabric(*buildClothModel(curved, 0.1, MassLumping::Area, {}), woven());
   const double unrolling = elasticEnergy(*tube, tube->restPositions);
   EXPECT_GT(unrolling, 1e-6);
