@@ -210,7 +210,8 @@ ClothPart partFor(const ClothDescription& description, const Source& source, con
   if (source.reading) {
     part.placement = placementOf(description, *source.reading);
   }
-  if (!source.grid) {  // the texture of a grid is made for the checker
+  part.uvs.ofGrid = source.grid.has_value();
+  if (!source.grid) {
     part.uvs = patternUvsOf(source.mesh.render, sized(source.mesh.cloth.positions, part.scale));
   }
   return part;

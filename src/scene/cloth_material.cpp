@@ -42,8 +42,7 @@ std::vector<Vec3> warpOf(const ClothPart& cloth, const sim::ClothModel& model, c
 
 void requireWarp(const PatternUvs& uvs, const settings::Settings& settings) {
   if (warpsAlongUvs(uvs, settings) && !uvs.usable()) {
-    throw messages::InputError("fabric.warp_from = uv cannot be used: " + problemOf(uvs).english() +
-                               ". Correct the UVs in the file, or use fabric.warp_from = vertical");
+    throw messages::InputError(refusalOf(uvs, "fabric.warp_from", "vertical"));
   }
 }
 
@@ -128,6 +127,16 @@ text::Sentence warpNote(const PatternUvs& uvs, const settings::Settings& setting
 text::Sentence fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
   return ofEachCloth(cloths,
                      [&](const ClothPart& cloth) { return settings::fabricTitle(settingsOf(cloth.own, settings)); });
+}
+
+text::Sentence loweredFabricInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+  if (!settings::usesFabric(settings)) {
+    return {};
+  }
+  const auto titleOf = [&](const ClothPart& cloth) { return settings::fabricTitle(settingsOf(cloth.own, settings)); };
+  const text::Sentence first = titleOf(cloths.front());
+  const bool same = std::ranges::all_of(cloths, [&](const ClothPart& cloth) { return titleOf(cloth) == first; });
+  return same ? first : text::Sentence("the fabric that is lowered most");
 }
 
 text::Sentence warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {

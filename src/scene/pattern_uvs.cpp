@@ -132,7 +132,8 @@ std::vector<Vec3> warpAlongV(const PatternUvs& uvs, std::span<const Vec3> rest, 
 
 text::Sentence problemOf(const PatternUvs& uvs) {
   if (!uvs.present()) {
-    return text::Sentence("the mesh has no texture coordinates (UVs)");
+    return text::Sentence(uvs.ofGrid ? "a grid has no texture coordinates (UVs) of a pattern"
+                                     : "the mesh has no texture coordinates (UVs)");
   }
   if (!uvs.degenerate.empty()) {
     return text::Sentence("the texture coordinates (UVs) give no area to {}", countAndFirst(uvs.degenerate));
@@ -142,6 +143,13 @@ text::Sentence problemOf(const PatternUvs& uvs) {
                           countAndFirst(uvs.mirrored));
   }
   return {};
+}
+
+std::string refusalOf(const PatternUvs& uvs, std::string_view setting, std::string_view otherwise) {
+  const std::string instead = std::string(setting) + " = " + std::string(otherwise);
+  return std::string(setting) + " = uv cannot be used: " + problemOf(uvs).english() +
+         (uvs.ofGrid ? ". Use " + instead + ", or open a mesh file that has them"
+                     : ". Correct the UVs in the file, or use " + instead);
 }
 
 }  // namespace drape::scene

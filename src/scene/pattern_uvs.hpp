@@ -7,6 +7,7 @@
 #include <array>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace drape::scene {
@@ -19,6 +20,7 @@ struct PatternUvs {
   std::vector<int> mirrored;  ///< triangles that are turned over against the larger part of their piece of the texture
   double area = 0.0;          ///< of the texture, in UV units [-]
   double meshArea = 0.0;      ///< of the cloth [m^2]
+  bool ofGrid = false;        ///< the cloth is a grid, whose texture is made for the checker
   double distorted = 0.0;     ///< share of the area whose texture is stretched by more than maxPatternStretch [-]
 
   [[nodiscard]] bool present() const { return !corners.empty(); }
@@ -46,5 +48,9 @@ inline constexpr double maxPatternStretch = 1.5;
 
 /// Why the texture coordinates cannot give the warp: how many triangles, and the first of them. Empty if they can.
 [[nodiscard]] text::Sentence problemOf(const PatternUvs& uvs);
+
+/// The message for a setting that needs such texture coordinates: the problem and the remedy.
+/// @param setting "fabric.warp_from"  @param otherwise the value that needs none
+[[nodiscard]] std::string refusalOf(const PatternUvs& uvs, std::string_view setting, std::string_view otherwise);
 
 }  // namespace drape::scene

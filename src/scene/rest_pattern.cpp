@@ -37,8 +37,7 @@ text::Sentence asFactor(double ratio) {
 
 void requirePattern(const PatternUvs& uvs, const settings::Settings& settings) {
   if (!uvs.usable()) {
-    throw messages::InputError("fabric.rest_shape = uv cannot be used: " + problemOf(uvs).english() +
-                               ". Correct the UVs in the file, or use fabric.rest_shape = mesh");
+    throw messages::InputError(refusalOf(uvs, "fabric.rest_shape", "mesh"));
   }
   if (settings.fabric.warpFrom == "vertical") {
     throw messages::InputError(

@@ -195,6 +195,19 @@ void requireCarriers(const SceneDescription& description) {
   }
 }
 
+/// Throws at the first of these keys that the table has, or at its start.
+[[noreturn]] void failAtFirst(const TomlReader& reader, const std::vector<std::string_view>& keys,
+                              const std::string& message) {
+  for (const std::string_view wanted : keys) {
+    reader.forEachValue([&](const std::string& key, const toml::node& node) {
+      if (key == wanted) {
+        reader.fail(node, message);
+      }
+    });
+  }
+  reader.fail(message);
+}
+
 /// Assigns the settings of a table, and adds notes about former keys to those of the scene.
 /// @param onAssigned called with each setting and its value
 void readSettings(const TomlReader& reader, settings::Settings& settings, std::vector<std::string>& notes,
@@ -230,8 +243,8 @@ void readSettings(const TomlReader& reader, settings::Settings& settings, std::v
   }
   try {
     settings::requireConsistent(settings);
-  } catch (const messages::UsageError& error) {
-    reader.fail(error.what());
+  } catch (const settings::ConflictError& error) {
+    failAtFirst(reader, error.keys(), error.what());
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "messages/error.hpp"
 #include "settings/settings.hpp"
 #include "text/sentence.hpp"
 
@@ -7,10 +8,24 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace drape::settings {
+
+/// Values that are each allowed exclude each other.
+class ConflictError : public messages::UsageError {
+ public:
+  /// @param keys of the settings concerned, the most likely cause first
+  ConflictError(std::vector<std::string_view> keys, const std::string& message)
+      : UsageError(message), keys_(std::move(keys)) {}
+
+  [[nodiscard]] const std::vector<std::string_view>& keys() const { return keys_; }
+
+ private:
+  std::vector<std::string_view> keys_;
+};
 
 using SettingValue = std::variant<double, int, bool, std::string>;
 
@@ -143,7 +158,7 @@ void assignSetting(Settings& settings, const SettingInfo& info, const SettingVal
 /// Whether the setting has an effect under these settings. The panels hide settings of other solvers and choices.
 [[nodiscard]] bool isRelevant(const SettingInfo& info, const Settings& settings);
 
-/// Throws UsageError when values that are each allowed exclude each other, with the reason and the remedy. Call it
+/// Throws ConflictError when values that are each allowed exclude each other, with the reason and the remedy. Call it
 /// after all values are assigned.
 void requireConsistent(const Settings& settings);
 

@@ -4,6 +4,7 @@
 #include "text/number_text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <numeric>
 #include <optional>
@@ -47,9 +48,58 @@ Sentence listWords(const std::vector<std::string>& words) {
   return first.empty() ? Sentence::verbatim(words.front()) : Sentence("{} or {}", first, words.back());
 }
 
-[[noreturn]] void refuse(const SettingInfo& info, const std::string& given, const Settings& settings) {
+/// The Levenshtein distance between two words.
+int editDistance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i) + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int substituted = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string inSmallLetters(std::string_view text) {
+  std::string small(text);
+  std::ranges::transform(small, small.begin(),
+                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return small;
+}
+
+/// The most similar word for a mistyped one: a word that starts with it, or one that differs in a few letters. Case
+/// does not count. Empty when no word is similar.
+std::string nearestWord(std::string_view mistyped, const std::vector<std::string>& words) {
+  constexpr std::size_t fewLetters = 3;
+  const std::string given = inSmallLetters(mistyped);
+  const auto begun = std::ranges::find_if(words, [&](const std::string& word) {
+    return given.size() >= fewLetters && inSmallLetters(word).starts_with(given);
+  });
+  if (begun != words.end()) {
+    return *begun;
+  }
+  const auto distance = [&](const std::string& word) { return editDistance(given, inSmallLetters(word)); };
+  const auto nearest = std::ranges::min_element(words, {}, distance);
+  const int allowed = given.size() <= fewLetters ? 1 : std::max(2, static_cast<int>(given.size()) / 3);
+  return nearest != words.end() && distance(*nearest) <= allowed ? *nearest : std::string();
+}
+
+std::string nearestKey(std::string_view key) {
+  std::vector<std::string> keys;
+  for (const SettingInfo& info : settingsTable()) {
+    keys.emplace_back(info.key);
+  }
+  return nearestWord(key, keys);
+}
+
+[[noreturn]] void refuse(const SettingInfo& info, const std::string& given, const Settings& settings,
+                         const std::string& meant = {}) {
   throw messages::UsageError(std::string(info.key) + " must be " + describeRange(info, settings).english() + "; " +
-                             given + " is not");
+                             given + " is not" + (meant.empty() ? "" : ". Did you mean " + quoted(meant) + "?"));
 }
 
 void assignNumber(Settings& settings, const SettingInfo& info, const NumberField& field, const SettingValue& value) {
@@ -83,7 +133,7 @@ void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField
   const bool isOther = !std::holds_alternative<bool>(value) && field.accepts != nullptr && field.accepts(text) &&
                        (base.empty() || std::find(choices.begin(), choices.end(), base) != choices.end());
   if (!isWord && !isOther) {
-    refuse(info, quoted(text), settings);
+    refuse(info, quoted(text), settings, nearestWord(text, choices));
   }
   field.set(settings, text);
 }
@@ -118,48 +168,15 @@ SettingValue parseValue(const SettingInfo& info, std::string_view text) {
   return std::string(text);
 }
 
-/// The Levenshtein distance between two keys.
-int editDistance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i) + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-/// The most similar key for a mistyped one: a key that starts with it, or one that differs in a few letters. Empty when
-/// no key is similar.
-std::string_view nearestKey(std::string_view key) {
-  constexpr std::size_t fewLetters = 3;
-  const auto rows = settingsTable();
-  const auto begun = std::find_if(rows.begin(), rows.end(), [&](const SettingInfo& info) {
-    return key.size() >= fewLetters && info.key.starts_with(key);
-  });
-  if (begun != rows.end()) {
-    return begun->key;
-  }
-  const auto nearest = std::min_element(rows.begin(), rows.end(), [&](const auto& a, const auto& b) {
-    return editDistance(key, a.key) < editDistance(key, b.key);
-  });
-  const int allowed = key.size() <= fewLetters ? 1 : std::max(2, static_cast<int>(key.size()) / 3);
-  return editDistance(key, nearest->key) <= allowed ? nearest->key : std::string_view();
-}
-
 /// The ranges of the single values exclude all other unstable fabrics.
 void requireStable(const sim::fabric::Material& fabric) {
   const double minBias = 0.25 * (fabric.bendWarp + fabric.bendWeft);
   if (fabric.bendBias < minBias) {
-    throw messages::UsageError(
+    throw ConflictError(
+        {"fabric.bend_bias", "fabric.bend_warp", "fabric.bend_weft"},
         "fabric.bend_bias must be at least a quarter of the sum of fabric.bend_warp and fabric.bend_weft, " +
-        text::exactNumber(minBias) + " N m; " + text::exactNumber(fabric.bendBias) +
-        " is not. Otherwise the fabric would twist by itself. Raise fabric.bend_bias, or lower the other two");
+            text::exactNumber(minBias) + " N m; " + text::exactNumber(fabric.bendBias) +
+            " is not. Otherwise the fabric would twist by itself. Raise fabric.bend_bias, or lower the other two");
   }
 }
 
@@ -169,7 +186,7 @@ const SettingInfo& requireSetting(std::string_view key) {
   if (const SettingInfo* info = findSetting(key)) {
     return *info;
   }
-  const std::string_view meant = nearestKey(key);
+  const std::string meant = nearestKey(key);
   throw messages::UsageError("there is no setting " + quoted(key) + "; " +
                              (meant.empty() ? "" : "did you mean " + quoted(meant) + "? ") +
                              "'drape-headless list settings' lists all settings");
@@ -292,11 +309,12 @@ bool isRelevant(const SettingInfo& info, const Settings& settings) {
 
 void requireConsistent(const Settings& settings) {
   if (settings.step.jacobi.sweeps % 2 == 0 && settings.step.jacobi.relaxation > sim::simd::evenSweepsRelaxation) {
-    throw messages::UsageError(
+    throw ConflictError(
+        {"sweeps", "relaxation"},
         "sweeps must be odd while relaxation is above " + text::exactNumber(sim::simd::evenSweepsRelaxation) + "; " +
-        std::to_string(settings.step.jacobi.sweeps) +
-        " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
-        "cloth vibrates. Use an odd number, or lower relaxation first (damped Jacobi)");
+            std::to_string(settings.step.jacobi.sweeps) +
+            " is not. An even number of block-Jacobi sweeps amplifies the stiffest modes up to twofold, and stiff "
+            "cloth vibrates. Use an odd number, or a lower relaxation (damped Jacobi)");
   }
   requireStable(settings.fabric.moduli);
 }

@@ -93,8 +93,21 @@ TEST_F(RestPattern, IsRefusedWithoutSoundTextureCoordinates) {
   EXPECT_NE(folded.find("mirror 1 triangle (number 1) against"), std::string::npos) << folded;
   SceneDescription grid = openScene("grid");
   settings::assignSettingExpression(grid.settings, "material.model=fabric");
-  settings::assignSettingExpression(grid.settings, "fabric.rest_shape=uv");
-  EXPECT_THROW(static_cast<void>(buildScene(grid, grid.settings)), messages::InputError);
+  for (const auto& [setting, remedy] :
+       {std::pair("fabric.rest_shape=uv", "Use fabric.rest_shape = mesh, or open a"),
+        std::pair("fabric.warp_from=uv", "Use fabric.warp_from = vertical, or open a")}) {
+    settings::Settings settings = grid.settings;
+    settings::assignSettingExpression(settings, setting);
+    try {
+      static_cast<void>(buildScene(grid, settings));
+      ADD_FAILURE() << setting;
+    } catch (const messages::InputError& error) {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("a grid has no texture coordinates"), std::string::npos) << message;
+      EXPECT_NE(message.find(remedy), std::string::npos) << message;
+      EXPECT_EQ(message.find("in the file"), std::string::npos) << message;
+    }
+  }
 }
 
 TEST_F(RestPattern, IsRefusedWithAVerticalWarpOrASenselessScale) {

@@ -110,7 +110,10 @@ TEST(SceneFile, refusesAFabricThatIsNoneWithFileLineAndSetting) {
         std::pair("fabric.shear = nan", "test.toml:4: fabric.shear must be"),
         std::pair("material.preset = \"cardboard\"", "test.toml:4: material.preset must be silk"),
         std::pair("material.model = 3", "test.toml:4: material.model must be springs or fabric"),
-        std::pair("fabric.bend_bias = 0", "fabric.bend_bias must be at least a quarter")}) {
+        std::pair("fabric.bend_bias = 0", "test.toml:4: fabric.bend_bias must be at least a quarter"),
+        std::pair("fabric.density = 0.2\nfabric.bend_warp = 0.001\n",
+                  "test.toml:5: fabric.bend_bias must be at least a quarter"),
+        std::pair("relaxation = 1\nsweeps = 2\n", "test.toml:5: sweeps must be odd")}) {
     EXPECT_NE(refusal(start + text).find(expected), std::string::npos) << refusal(start + text);
   }
 }

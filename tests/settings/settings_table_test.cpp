@@ -176,6 +176,41 @@ TEST(SettingsTable, namesTheNearestKeyForAMistypedOne) {
   EXPECT_NE(refusal("stif=3").find("did you mean 'stiffness'"), std::string::npos);
 }
 
+TEST(SettingsTable, namesTheNearestWordForAMistypedChoice) {
+  for (const char* mistyped : {"material.preset=Cotton", "material.preset=cottn", "material.preset=cott"}) {
+    EXPECT_NE(refusal(mistyped).find("Did you mean 'cotton'?"), std::string::npos) << refusal(mistyped);
+  }
+  EXPECT_NE(refusal("solver=Auto").find("Did you mean 'auto'?"), std::string::npos) << refusal("solver=Auto");
+  EXPECT_EQ(refusal("material.preset=cardboard").find("Did you mean"), std::string::npos);
+  EXPECT_EQ(refusal("solver=").find("Did you mean"), std::string::npos);
+}
+
+TEST(SettingsTable, namesAnOwnFabricForAMistypedOne) {
+  Settings settings;
+  settings.fabric.own = withOwnFabric({}, fabricOf(settings, "Soft denim"));
+  try {
+    assignSettingExpression(settings, "material.preset=soft denim");
+    FAIL();
+  } catch (const messages::UsageError& error) {
+    EXPECT_NE(std::string(error.what()).find("Did you mean 'Soft denim'?"), std::string::npos) << error.what();
+  }
+}
+
+TEST(SettingsTable, saysWhichSettingsConflict) {
+  Settings settings;
+  settings.fabric.moduli.bendBias = 0.0;
+  try {
+    requireConsistent(settings);
+    FAIL();
+  } catch (const ConflictError& error) {
+    EXPECT_EQ(error.keys().front(), "fabric.bend_bias");
+    EXPECT_EQ(error.keys().size(), 3U);
+    for (const std::string_view key : error.keys()) {
+      EXPECT_NE(findSetting(key), nullptr) << key;
+    }
+  }
+}
+
 TEST(SettingsTable, takesFormerKeysAndNamesThePresentOnes) {
   Settings settings;
   assignSettingExpression(settings, "hand.stiffness=100");
