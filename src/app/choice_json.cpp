@@ -6,11 +6,11 @@
 
 namespace drape::app {
 
-nlohmann::ordered_json toJson(const std::optional<sim::adaptive::StepChoice>& choice) {
+nlohmann::ordered_json toJson(const std::optional<sim::adaptive::StepChoice>& choice, const text::Sentence& fabric) {
   if (!choice) {
     return nullptr;
   }
-  nlohmann::ordered_json json{{"words", messages::inWords(*choice).english()}};
+  nlohmann::ordered_json json{{"words", messages::inWords(*choice, fabric).english()}};
   for (const auto& [name, value] : sim::adaptive::figuresOf(*choice)) {
     json[std::string(name)] = value;
   }

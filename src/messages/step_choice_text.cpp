@@ -30,14 +30,14 @@ Sentence schemeInWords(const sim::adaptive::StepChoice& choice) {
 }
 
 /// How much of its stiffness the cloth has, if that is not all.
-Sentence stiffnessInWords(const sim::adaptive::StepChoice& choice) {
+Sentence stiffnessInWords(const sim::adaptive::StepChoice& choice, const Sentence& fabric) {
   constexpr double almostFull = 0.995;
   Sentence words;
   if (choice.stiffnessScale < almostFull) {
     const std::string share = brief(100.0 * choice.stiffnessScale);
-    words = choice.strain < 0.0
-                ? Sentence("at {} % of the stiffness", share)
-                : Sentence("at {} % of the stretch stiffness: {} % strain", share, brief(100.0 * choice.strain));
+    words = choice.strain < 0.0 ? Sentence("at {} % of the stiffness", share)
+                                : Sentence("at {} % of the stretch stiffness of {}: {} % strain", share, fabric,
+                                           brief(100.0 * choice.strain));
   }
   if (const int count = choice.softenedTriangles; count > 0) {
     words =
@@ -63,12 +63,13 @@ Sentence fullStiffnessInWords(const sim::adaptive::StepChoice& choice, double se
 
 }  // namespace
 
-text::Sentence inWords(const sim::adaptive::StepChoice& choice, double seconds, double available) {
+text::Sentence inWords(const sim::adaptive::StepChoice& choice, const text::Sentence& fabric, double seconds,
+                       double available) {
   if (choice.sleeping) {
     return Sentence("at rest: nothing is computed until something changes");
   }
   Sentence words = clothInWords(choice.hOmega, schemeInWords(choice));
-  if (const Sentence stiffness = stiffnessInWords(choice); !stiffness.empty()) {
+  if (const Sentence stiffness = stiffnessInWords(choice, fabric); !stiffness.empty()) {
     words.append(" ", stiffness).append("; ", fullStiffnessInWords(choice, seconds, available));
   }
   if (choice.coarseLevels > 0) {

@@ -1,5 +1,6 @@
 #include "report/measurement.hpp"
 
+#include "messages/blow_up_text.hpp"
 #include "messages/error.hpp"
 
 namespace drape::report {
@@ -36,8 +37,8 @@ Measurement measure(const scene::Scene& scene, const settings::Settings& setting
     measurement.reference = runReference(scene, plan, &measurement.own, progress);
   }
   if (measurement.own.checkpoints() < 1) {
-    throw messages::InputError(
-        "the cloth blew up before the first checkpoint; use a smaller time step or a lower stiffness");
+    throw messages::InputError("the cloth blew up before the first checkpoint. " +
+                               messages::remedyForBlowUp(*scene.model));
   }
   measurement.report = compareWithReference(*scene.model, settings.step, measurement.own, measurement.reference);
   measurement.summaries =

@@ -3,6 +3,7 @@
 #include "scene/unit_guess.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/fabric/fabric.hpp"
 #include "sim/measures/hanging_load.hpp"
 #include "text/number_text.hpp"
 
@@ -146,6 +147,22 @@ StretchDiagnosis explainByWeight(double strain, const scene::Scene& scene, const
            Sentence("Stiffness {} N/m", stiffness)}};
 }
 
+/// A diagnosis when the rest shape is a pattern that the mesh is far from.
+std::optional<StretchDiagnosis> findPattern(const settings::Settings& settings, const sim::ClothModel& model) {
+  constexpr double misfit = 0.5;  // 99th percentile of the strain; that of patterns that fit is a few percent [-]
+  if (!model.fabric || !model.fabric->meshStrain || !settings::restsOnPattern(settings) ||
+      model.fabric->meshStrain->high < misfit) {
+    return std::nullopt;
+  }
+  const auto& [median, high] = *model.fabric->meshStrain;
+  return StretchDiagnosis{
+      StretchCause::Pattern,
+      {Sentence("The pattern does not fit: the mesh is strained against its UVs by {} % (median), {} % (99th "
+                "percentile). Correct fabric.uv_scale or the UVs, or take the mesh as rest shape.",
+                fmt::format("{:.0f}", 100.0 * median), fmt::format("{:.0f}", 100.0 * high)),
+       "fabric.rest_shape", "mesh", Sentence("Use the mesh")}};
+}
+
 StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::ClothModel& model) {
   const bool chooses = settings.solver.name == "auto";
   const scene::Advice toAuto{{}, "solver", "auto", Sentence("Use auto")};
@@ -168,6 +185,9 @@ StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::
 
 StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Settings& settings,
                                  const sim::ClothModel& model, const sim::ClothState& state, bool pulled) {
+  if (auto pattern = findPattern(settings, model)) {
+    return *std::move(pattern);
+  }
   if (auto slivers = findSlivers(scene, model, state)) {
     return *std::move(slivers);
   }

@@ -8,6 +8,7 @@ namespace drape::session {
 
 /// Causes of implausibly stretched edges.
 enum class StretchCause {
+  Pattern,     ///< the rest shape is a pattern that does not fit the mesh
   Slivers,     ///< only edges that are far shorter than the others
   Unit,        ///< the cloth is so large and heavy that its file probably uses another unit
   Heavy,       ///< heavier per square metre than any fabric

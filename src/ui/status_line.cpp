@@ -1,4 +1,5 @@
 #include "messages/step_choice_text.hpp"
+#include "scene/cloth_material.hpp"
 #include "session/cost_budget.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
@@ -196,8 +197,9 @@ void detailRows(PanelContext& context) {
   }
   if (const auto& choice = snapshot.stepReport.choice) {
     ImGui::Spacing();
-    mutedText(
-        context.texts("Chosen by auto: {}", messages::inWords(*choice, snapshot.stepSeconds, timeForStep(settings))));
+    const text::Sentence fabric = scene::loweredFabricInWords(snapshot.scene->cloths, settings);
+    mutedText(context.texts("Chosen by auto: {}",
+                            messages::inWords(*choice, fabric, snapshot.stepSeconds, timeForStep(settings))));
   }
   accuracyText(context);
   if (const text::Sentence warning = session::solverWarning(context.settings, *snapshot.model); !warning.empty()) {

@@ -52,6 +52,9 @@ TEST(Fabrics, areListedWithAllValuesAndSources) {
   EXPECT_NE(words.find("Soft denim   Your own, based on denim"), std::string::npos) << words;
   EXPECT_NE(words.find("fabric.stretch_weft = 1014 N/m"), std::string::npos) << words;
   EXPECT_NE(words.find("Wang et al. 2011"), std::string::npos) << words;
+  EXPECT_NE(words.find("fabric.shear = 461.5 N/m"), std::string::npos) << "felt, rounded: " << words;
+  EXPECT_NE(words.find("drape coefficient = 20 to 40 % (Often quoted"), std::string::npos) << words;
+  EXPECT_EQ(list[0]["drape_coefficient"]["upper"], 40.0);
 }
 
 TEST(Fabrics, areNamedOnTheCommandLineAndInTheSummary) {

@@ -18,6 +18,7 @@ TEST(BlowingUp, isAnErrorAndLeavesFiguresThatAreNumbers) {
                                    "--positions " + positions.string());
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("the cloth blew up at"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("or a lower stiffness"), std::string::npos) << outcome.errors;
   const auto json = nlohmann::json::parse(readFile(stats));
   EXPECT_EQ(json["finite"], false);
   EXPECT_LT(json["time"], 1.0);
@@ -27,6 +28,14 @@ TEST(BlowingUp, isAnErrorAndLeavesFiguresThatAreNumbers) {
   EXPECT_EQ(readFile(positions).find("inf"), std::string::npos);
   EXPECT_EQ(readFile(positions).find("nan"), std::string::npos);
   EXPECT_GT(readFile(positions).size(), 1000U) << "what came before stays";
+}
+
+TEST(BlowingUp, ofAFabricAdvisesASofterFabric) {
+  const Outcome outcome =
+      headless("run grid --set material.model=fabric --set solver=explicit_euler --set grid.resolution=9 --seconds 1");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.errors.find("the cloth blew up at"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("Use a smaller time step or a softer fabric."), std::string::npos) << outcome.errors;
 }
 
 TEST(BlowingUp, isAnErrorOfCaptureWhichStillWritesItsPictures) {

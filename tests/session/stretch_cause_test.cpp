@@ -1,5 +1,6 @@
 #include "session/stretch_cause.hpp"
 
+#include "scene/rest_pattern.hpp"
 #include "session/simulation.hpp"
 #include "sim/measures/hanging_load.hpp"
 #include "test_scene.hpp"
@@ -121,6 +122,30 @@ TEST(StretchCause, AdviceForAFabricDoesNotNameSprings) {
       }
     }
   }
+}
+
+TEST(StretchCause, APatternThatDoesNotFitIsNamed) {
+  scene::SceneDescription description = scene::openScene("skirt");
+  settings::assignSettingExpression(description.settings, "fabric.rest_shape=uv");
+  const auto fitting = scene::buildScene(description, description.settings);
+  const double scale = scene::patternScale(fitting->cloths.front().uvs, fitting->settings);
+  const auto causeAt = [&](double factor) {
+    settings::Settings settings = description.settings;
+    settings.fabric.uvScale = factor * scale;
+    const auto scene = scene::buildScene(description, settings);
+    sim::ClothState pulled = scene->start;
+    for (Vec3& position : pulled.positions) {
+      position *= 4.0;
+    }
+    return diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
+  };
+  const StretchDiagnosis found = causeAt(0.3);
+  EXPECT_EQ(found.cause, StretchCause::Pattern);
+  EXPECT_TRUE(found.advice.text.english().starts_with("The pattern does not fit: the mesh is strained"))
+      << found.advice.text;
+  EXPECT_EQ(found.advice.key, "fabric.rest_shape");
+  EXPECT_EQ(found.advice.value, "mesh");
+  EXPECT_EQ(causeAt(1.0).cause, StretchCause::Solver);
 }
 
 TEST(StretchCause, SliversAreNamedWithTheirPosition) {

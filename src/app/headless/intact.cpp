@@ -1,5 +1,6 @@
 #include "app/headless/intact.hpp"
 
+#include "messages/blow_up_text.hpp"
 #include "messages/error.hpp"
 
 #include <string>
@@ -9,7 +10,7 @@ namespace drape::app {
 void requireIntact(const session::Simulation& simulation) {
   if (simulation.blewUp()) {
     throw messages::InputError("the cloth blew up at " + std::to_string(simulation.state().time) +
-                               " s; the output ends there. Use a smaller time step or a lower stiffness.");
+                               " s; the output ends there. " + messages::remedyForBlowUp(simulation.model()));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "settings/settings_table.hpp"
 #include "sim/solvers/solver.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -81,12 +82,22 @@ Json fabricsAsJson(const settings::OwnFabrics& own) {
     row["self_static_friction"] = preset.friction.selfStatic;
     row["self_friction"] = preset.friction.selfKinetic;
     row["skin_friction"] = preset.friction.skin;
+    if (preset.drape) {
+      row["drape_coefficient"] = {{"lower", preset.drape->lower},
+                                  {"upper", preset.drape->upper},
+                                  {"source", std::string(preset.drape->source)}};
+    }
     list.push_back(std::move(row));
   }
   for (const settings::OwnFabric& fabric : own ? *own : std::vector<settings::OwnFabric>()) {
     list.push_back(fabricAsJson(fabric, fabric.name, true));
   }
   return list;
+}
+
+/// A value for the eye: moduli that follow from a thickness have many digits. The JSON form has them all.
+std::string rounded(const Json& value) {
+  return fmt::format("{:.4g}", value.get<double>());
 }
 
 void printFabrics(const Json& list) {
@@ -98,16 +109,21 @@ void printFabrics(const Json& list) {
               << '\n';
     for (const std::string_view key : settings::fabricValueKeys()) {
       const settings::SettingInfo& info = settings::requireSetting(key);
-      std::cout << "    " << key << " = " << settings::formatValue(row[std::string(key)].get<double>())
+      std::cout << "    " << key << " = " << rounded(row[std::string(key)])
                 << (info.unit == "-" ? "" : " " + std::string(info.unit)) << '\n';
     }
     if (row.contains("thickness")) {
-      std::cout << "    thickness = " << settings::formatValue(row["thickness"].get<double>()) << " m\n";
+      std::cout << "    thickness = " << rounded(row["thickness"]) << " m\n";
     }
     for (const char* key : {"self_static_friction", "self_friction", "skin_friction"}) {
       if (row.contains(key)) {
-        std::cout << "    " << key << " = " << settings::formatValue(row[key].get<double>()) << '\n';
+        std::cout << "    " << key << " = " << rounded(row[key]) << '\n';
       }
+    }
+    if (row.contains("drape_coefficient")) {
+      const Json& range = row["drape_coefficient"];
+      std::cout << "    drape coefficient = " << rounded(range["lower"]) << " to " << rounded(range["upper"]) << " % ("
+                << range["source"].get<std::string>() << ")\n";
     }
     if (const std::string source = row["source"].get<std::string>(); !source.empty()) {
       std::cout << "    Source: " << source << '\n';

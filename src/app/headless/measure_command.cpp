@@ -3,6 +3,7 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
 #include "app/progress_line.hpp"
+#include "messages/blow_up_text.hpp"
 #include "messages/error.hpp"
 #include "report/error_table.hpp"
 #include "report/measurement.hpp"
@@ -119,7 +120,7 @@ void run(const MeasureArguments& arguments) {
   }
   if (!measurement.own.finite) {
     throw messages::InputError("the cloth blew up after " + std::to_string(measurement.report.checkpoints.back().time) +
-                               " s; the report ends there. Use a smaller time step or a lower stiffness.");
+                               " s; the report ends there. " + messages::remedyForBlowUp(*scene->model));
   }
 }
 

@@ -109,7 +109,10 @@ void printFabric(const session::Simulation& simulation) {
 /// Prints what `auto` chose for the last step.
 void printChoice(const session::Simulation& simulation) {
   if (const auto& choice = simulation.lastStepReport().choice) {
-    std::cout << "last step: " << messages::inWords(*choice) << '\n';
+    std::cout << "last step: "
+              << messages::inWords(*choice,
+                                   scene::loweredFabricInWords(simulation.scene().cloths, simulation.settings()))
+              << '\n';
   }
 }
 

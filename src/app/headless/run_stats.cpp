@@ -161,8 +161,10 @@ nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& 
           {"crossings_max", maxCrossings_},       {"crossings_final", last.crossings}};
 }
 
-nlohmann::ordered_json RunStats::choiceJson(const std::optional<sim::adaptive::StepChoice>& last) const {
-  nlohmann::ordered_json json = app::toJson(last);
+nlohmann::ordered_json RunStats::choiceJson(const session::Simulation& simulation) const {
+  const auto& last = simulation.lastStepReport().choice;
+  nlohmann::ordered_json json =
+      app::toJson(last, scene::loweredFabricInWords(simulation.scene().cloths, simulation.settings()));
   if (last) {
     std::vector<float> evaluations = forceEvaluations_;
     std::sort(evaluations.begin(), evaluations.end());
@@ -192,7 +194,7 @@ nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) c
   json["time"] = simulation.state().time;
   json["step_us"] = quantiles(seconds_);
   json["contact"] = contactJson(simulation.lastStepReport().contact);
-  json["choice"] = choiceJson(simulation.lastStepReport().choice);
+  json["choice"] = choiceJson(simulation);
   json["accuracy"] = accuracyJson(simulation.accuracy());
   json["energy"] = energy.total();
   json["energy_kinetic"] = energy.kinetic;

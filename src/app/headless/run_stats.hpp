@@ -28,7 +28,7 @@ class RunStats {
 
  private:
   [[nodiscard]] nlohmann::ordered_json contactJson(const sim::contact::ContactReport& last) const;
-  [[nodiscard]] nlohmann::ordered_json choiceJson(const std::optional<sim::adaptive::StepChoice>& last) const;
+  [[nodiscard]] nlohmann::ordered_json choiceJson(const session::Simulation& simulation) const;
 
   std::optional<OutputFile> file_;
   std::vector<float> seconds_;

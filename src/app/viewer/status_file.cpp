@@ -4,6 +4,7 @@
 #include "app/output_file.hpp"
 #include "messages/error.hpp"
 #include "render/picking.hpp"
+#include "scene/cloth_material.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/model/bounds.hpp"
@@ -211,7 +212,8 @@ Json describeSimulation(const session::Snapshot& snapshot) {
           {"attachment", toJson(snapshot.attachment)},
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
-          {"choice", app::toJson(snapshot.stepReport.choice)},
+          {"choice", app::toJson(snapshot.stepReport.choice,
+                                 scene::loweredFabricInWords(snapshot.scene->cloths, snapshot.settings))},
           {"warning", session::solverWarning(snapshot.settings, *snapshot.model).english()}};
 }
 
