@@ -36,6 +36,12 @@ constexpr Material sheetOf(double young, double thickness, double poisson, doubl
           .bendDamping = damping};
 }
 
+/// The same material with another bending stiffness in all directions [N m].
+constexpr Material withBending(Material material, double bending) {
+  material.bendWarp = material.bendWeft = material.bendBias = bending;
+  return material;
+}
+
 /// Kinetic friction of a cotton sock on dry skin, the mean of Zhang and Mak 1999, In vivo friction properties of human
 /// skin [-].
 constexpr double cottonOnSkin = 0.51;
@@ -180,10 +186,11 @@ constexpr std::array presets{
                  .shine = 0.1F, .sheen = 0.40F, .unevenness = 0.30F, .translucency = 0.1F}},
     Preset{
         .name = "leather", .title = "Leather", .density = 0.6,
-        .material = sheetOf(5e6, 0.9e-3, 0.4),
+        .material = withBending(sheetOf(5e6, 0.9e-3, 0.4), 40e-6),
         .thickness = 0.9e-3, .friction = {.selfStatic = 0.6, .selfKinetic = 0.5, .skin = 0.6},
-        .source = "Estimate: a homogeneous sheet with a Young's modulus of 5 MPa, about that of soft garment leather at "
-                  "small strain, and 0.9 mm.",
+        .source = "Estimate: stretch and shear of a sheet with a Young's modulus of 5 MPa, about that of soft garment "
+                  "leather at small strain, and 0.9 mm. Bending: from the usual drape coefficient, 47 to 70 %. The "
+                  "layers of leather differ, so it bends more easily than such a sheet.",
         .drape = DrapeRange{.lower = 47.0, .upper = 70.0, .source = oftenQuoted},
         .look = {.structure = Structure::Grain, .columns = 750.0F, .rows = 750.0F,
                  .warp = {0.43F, 0.25F, 0.15F}, .weft = {0.58F, 0.44F, 0.33F}, .relief = 0.45F, .roughness = 0.36F,

@@ -89,6 +89,15 @@ TEST(Presets, ofASheetHaveItsYoungsModulusAndPoissonsRatio) {
   EXPECT_NEAR(sheet.bendWarp, 1.2e6 * std::pow(0.4e-3, 3) / 12.0, 1e-15);
 }
 
+TEST(Presets, ofLeatherBendsMoreEasilyThanAHomogeneousSheet) {
+  const Preset* leather = findPreset("leather");
+  ASSERT_NE(leather, nullptr);
+  const double sheet = 5e6 * std::pow(0.9e-3, 3) / 12.0;
+  EXPECT_LT(leather->material.bendWarp, 0.5 * sheet);
+  const double length = std::cbrt(leather->material.bendWarp / (leather->density * 9.81));
+  EXPECT_NEAR(length, 0.019, 0.0005) << "of leather with its usual drape coefficient";
+}
+
 TEST(Presets, haveALookInRange) {
   for (const Preset& preset : presetTable()) {
     const Look& look = preset.look;

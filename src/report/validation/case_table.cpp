@@ -113,9 +113,6 @@ std::string_view reasonOutsideRange(std::string_view preset) {
       Reason{"jersey",
              "The preset has the bending stiffness that Wang et al. measured, which is several times that of light "
              "jerseys in drape tests."},
-      Reason{"leather",
-             "The preset is a homogeneous sheet. Its bending length of 37 mm is twice that of leather with such a "
-             "coefficient: layers of leather differ, and it bends more easily than its stretch stiffness suggests."},
       Reason{"rubber", "No equilibrium was found: the folds would touch, and the search ignores contact."}};
   const auto* const found = std::ranges::find_if(reasons, [&](const Reason& one) { return one.preset == preset; });
   return found == reasons.end() ? std::string_view() : found->reason;
