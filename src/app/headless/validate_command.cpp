@@ -50,7 +50,7 @@ void validate(const ValidateArguments& arguments) {
       std::cout << report::validation::validationHeading(resolutions);
       headed.assign(resolutions.begin(), resolutions.end());
     }
-    for (const report::validation::MeshKind kind : one.kinds) {
+    for (const report::validation::MeshKind kind : kindsOf(one, arguments.shortForm)) {
       const report::validation::ValidationSeries series = report::validation::runValidation(one, kind, resolutions);
       rows.push_back(report::validation::validationRow(series));
       if (!arguments.markdown) {

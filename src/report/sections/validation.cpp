@@ -24,7 +24,7 @@ ReportRows measureSeries(const ValidationCase& one, MeshKind kind, bool quick, c
 SectionPlan planOfValidation(const ReportOptions& options) {
   SectionPlan plan;
   for (const ValidationCase& one : validation::validationTable()) {
-    for (const MeshKind kind : one.kinds) {
+    for (const MeshKind kind : validation::kindsOf(one, options.quick)) {
       plan.cells.push_back({one.name + " " + std::string(nameOf(kind)), options.quick ? 0.1 : 1.0,
                             [&one, kind, quick = options.quick](const CellContext& context) {
                               return measureSeries(one, kind, quick, context);

@@ -22,6 +22,7 @@ constexpr std::array coarseResolutions{5, 10, 20};
 constexpr std::array discResolutions{12, 24, 48};
 constexpr std::array remeshedResolutions{18, 34, 48};  // a half, two and four times the vertices of 24 cells
 constexpr std::array oneKind{MeshKind::Alternating};
+constexpr std::array otherKinds{MeshKind::Grid, MeshKind::Irregular};
 constexpr std::array lateralResolutions{20, 40, 80};
 constexpr std::array skirtResolutions{7, 14, 20};  // a half, two and four times the vertices of 10 cells
 constexpr std::array skirtKind{MeshKind::Irregular};
@@ -145,7 +146,11 @@ constexpr std::string_view lockingReason =
     "Flat triangles of a fabric that hardly stretches cannot bend in two directions at once, so a coarse mesh is too "
     "stiff where folds begin.";
 
-ValidationCase remeshedDiscOf(const fabrics::Preset& preset, std::span<const MeshKind> kinds) {
+constexpr std::string_view lockingReasonOfCotton =
+    "Flat triangles of a fabric that hardly stretches cannot bend in two directions at once, so a coarse mesh is too "
+    "stiff where folds begin. On the irregular mesh with 48 cells no equilibrium was found.";
+
+ValidationCase remeshedDiscOf(const fabrics::Preset& preset) {
   const std::string name(preset.name);
   return {.group = CaseGroup::Drape,
           .name = "remeshed_disc_" + name,
@@ -155,7 +160,6 @@ ValidationCase remeshedDiscOf(const fabrics::Preset& preset, std::span<const Mes
           .aim = 0.001,
           .run = remeshedDisc,
           .resolutions = remeshedResolutions,
-          .kinds = kinds,
           .everyResolution = true,
           .subject = preset.name,
           .reason = lockingReason};
@@ -299,7 +303,11 @@ std::vector<ValidationCase> ofEveryPreset(ValidationCase (*caseOf)(const fabrics
 std::vector<ValidationCase> remeshedCases() {
   const fabrics::Preset& cotton = *fabrics::findPreset("cotton");
   const fabrics::Preset& denim = *fabrics::findPreset("denim");
-  return {remeshedDiscOf(cotton, oneKind), remeshedDiscOf(denim, meshKinds), capeCase(), skirtCase()};
+  ValidationCase cottonDisc = remeshedDiscOf(cotton);
+  cottonDisc.kinds = oneKind;
+  cottonDisc.slowKinds = otherKinds;
+  cottonDisc.reason = lockingReasonOfCotton;
+  return {cottonDisc, remeshedDiscOf(denim), capeCase(), skirtCase()};
 }
 
 std::vector<ValidationCase> allCases() {

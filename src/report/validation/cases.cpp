@@ -37,6 +37,14 @@ std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool sh
   return shortForm ? all.first(all.size() - 1) : all;
 }
 
+std::vector<MeshKind> kindsOf(const ValidationCase& validationCase, bool shortForm) {
+  std::vector<MeshKind> kinds(validationCase.kinds.begin(), validationCase.kinds.end());
+  if (!shortForm) {
+    kinds.insert(kinds.end(), validationCase.slowKinds.begin(), validationCase.slowKinds.end());
+  }
+  return kinds;
+}
+
 const ValidationCase& requireValidationCase(std::string_view name) {
   const std::span<const ValidationCase> table = validationTable();
   const auto found = std::ranges::find_if(table, [&](const ValidationCase& one) { return one.name == name; });

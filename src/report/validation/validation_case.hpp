@@ -55,9 +55,10 @@ struct ValidationCase {
   Comparison (*run)(const CaseMesh&) = nullptr;
   std::array<int, 3> resolutions = validationResolutions;  ///< cells along the sheet, ascending
   std::span<const MeshKind> kinds = meshKinds;
-  bool everyResolution = false;   ///< the aim holds for every resolution, not only for the finest
-  std::string_view subject = {};  ///< CaseMesh::subject
-  std::string_view reason = {};   ///< the known reason why its error exceeds the aim; empty if it does not
+  std::span<const MeshKind> slowKinds = {};  ///< further ones, on which the search takes minutes
+  bool everyResolution = false;              ///< the aim holds for every resolution, not only for the finest
+  std::string_view subject = {};             ///< CaseMesh::subject
+  std::string_view reason = {};              ///< the known reason why its error exceeds the aim; empty if it does not
 };
 
 /// All cases.
@@ -68,6 +69,9 @@ struct ValidationCase {
 
 /// The resolutions of a case, without the finest in the short form.
 [[nodiscard]] std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool shortForm);
+
+/// The kinds of mesh of a case, without the slow ones in the short form.
+[[nodiscard]] std::vector<MeshKind> kindsOf(const ValidationCase& validationCase, bool shortForm);
 
 /// A result of a case on one mesh.
 struct ValidationResult {

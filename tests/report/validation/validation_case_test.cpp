@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <vector>
 
 namespace drape::report::validation {
 namespace {
@@ -95,6 +96,13 @@ TEST(ValidationSeries, passesByEveryResolutionWhereTheCaseSaysSo) {
   EXPECT_FALSE(series.passes());
   series.results.front().comparison.measured = 1.005;
   EXPECT_TRUE(series.passes());
+}
+
+TEST(ValidationCases, leaveSlowMeshesOutOfTheShortForm) {
+  const ValidationCase& cotton = requireValidationCase("remeshed_disc_cotton");
+  EXPECT_EQ(kindsOf(cotton, true), std::vector<MeshKind>{MeshKind::Alternating});
+  EXPECT_EQ(kindsOf(cotton, false).size(), meshKinds.size());
+  EXPECT_EQ(kindsOf(requireValidationCase("twist"), true).size(), meshKinds.size());
 }
 
 TEST(ValidationCases, testEveryPresetByPeirceAndByCusick) {
