@@ -45,6 +45,23 @@ double startOf(ExplicitScheme scheme) {
   return scheme == ExplicitScheme::Pefrl ? xi : verletStart;
 }
 
+/// Kicks do not change the velocity of a pin, so it drifts evenly over the step.
+template <typename T>
+void setPinVelocities(const StepInputs& inputs, double timeStep, const simd::StepShare& share,
+                      simd::SlicedCloth<T>& cloth) {
+  if (inputs.movedPins == nullptr) {
+    return;
+  }
+  for (const MovedPin& pin : *inputs.movedPins) {
+    const int index = cloth.layout.indexOf[static_cast<std::size_t>(pin.vertex)];
+    if (share.contains(index)) {
+      const Vec3 velocity = pin.by / timeStep;
+      cloth.velocity.set(static_cast<std::size_t>(index), static_cast<T>(velocity.x()), static_cast<T>(velocity.y()),
+                         static_cast<T>(velocity.z()));
+    }
+  }
+}
+
 }  // namespace
 
 template <typename T>
@@ -73,6 +90,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   team_.run(threads, [&](int member) {
     const simd::StepShare share = simd::shareOf(cloth_->layout, 1, member, threads);
     cloth_->load(state, share);
+    setPinVelocities(inputs, parameters.timeStep, share, *cloth_);
     contacts_.start(*cloth_, share);
     if (request.start) {
       team_.arriveAndWait();

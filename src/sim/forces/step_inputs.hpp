@@ -29,7 +29,8 @@ struct MovedPin {
 struct StepInputs {
   std::optional<Attachment> attachment;
   const std::vector<contact::BodyStep>* bodies = nullptr;  ///< over this step (sim/contact/bodies/body.hpp); null: none
-  /// Pins that move without a body, each at constant velocity. Null: none; pins that are released do not move.
+  /// Pins that move without a body, each at constant velocity. Null: none; pins that are released do not move. A solver
+  /// gets all pins that move, in its frame of reference (SolverInfo::resolvesContacts).
   const std::vector<MovedPin>* movedPins = nullptr;
   /// Contacts that act in every substep (SolverInfo::resolvesContacts). The solver stores their impulses in
   /// them. Null: none.

@@ -5,6 +5,7 @@
 #include "sim/adaptive/step_memory.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/forces/diagnostics.hpp"
+#include "sim/forces/forces.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/model/pieces.hpp"
@@ -114,7 +115,8 @@ class AdaptiveStep {
       adaptive::StepEnergy energy =
           run_.run(model, rates, parameters, inputs, plan, state, {measuring && !startIsKnown, measuring});
       energy.start = startIsKnown ? memory.energy : energy.start;
-      const double work = windWork(model, rates, parameters, inputs, state) + attachmentWork(model, inputs, state);
+      const double work = windWork(model, rates, parameters, inputs, state) + attachmentWork(model, inputs, state) +
+                          pinWork(model, parameters, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
       if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
@@ -181,6 +183,33 @@ class AdaptiveStep {
     return inputs.attachment->maxForce * attachedPointMotion(corners, state, after_).norm();
   }
 
+  /// An upper bound of the work of moving pins in the last step [J]: that of the larger one of the forces at its ends,
+  /// and of the force m omega v / 2 with which a row of vertices resists a sudden velocity.
+  [[nodiscard]] double pinWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                               const ClothState& state) {
+    if (inputs.movedPins == nullptr) {
+      return 0.0;
+    }
+    after_ = state;
+    run_.store(after_);
+    movePinsBy(*inputs.movedPins, after_);
+    double work = 0.0;
+    const double rate = 0.5 * largestFrequency(model, parameters) / parameters.timeStep;
+    for (const MovedPin& pin : *inputs.movedPins) {
+      const auto v = static_cast<std::size_t>(pin.vertex);
+      const double first = -pin.by.dot(internalForceOn(model, parameters, state, v));
+      const double last = -pin.by.dot(internalForceOn(model, parameters, after_, v));
+      work += std::max(first, last) + rate * model.vertexMass[v] * pin.by.squaredNorm();
+    }
+    return work;
+  }
+
+  static void movePinsBy(const std::vector<MovedPin>& pins, ClothState& state) {
+    for (const MovedPin& pin : pins) {
+      state.positions[static_cast<std::size_t>(pin.vertex)] += pin.by;
+    }
+  }
+
   /// Takes the step with the fallback solver, which must be unconditionally stable. With few iterations it leaves
   /// springs stretched; the elastic energy that this adds is removed from the motion. The energy counts the full
   /// stiffness.
@@ -192,6 +221,9 @@ class AdaptiveStep {
       fallback = model.fabric ? solvers::newton().make() : solvers::xpbd().make();
     }
     const double time = state.time;
+    if (inputs.movedPins != nullptr) {
+      movePinsBy(*inputs.movedPins, state);  // for this solver they jump
+    }
     const double allowed = energyOf(model, parameters, state).total() + adaptive::maxWindWork(rates, parameters) +
                            (inputs.attachment ? inputs.attachment->maxForce * parameters.timeStep : 0.0);
     parameters.precision = Precision::Double;

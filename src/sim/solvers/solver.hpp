@@ -76,7 +76,7 @@ struct SolverInfo {
   bool backwardEuler = false;              ///< solves a backward-Euler step, which other integrations can use
   bool takesFabric = false;                ///< can move a cloth with a fabric (ClothModel::fabric)
   bool choosesSubsteps = false;            ///< chooses its substeps and ignores the setting `substeps`
-  bool resolvesContacts = false;           ///< applies StepInputs::contacts in its substeps
+  bool resolvesContacts = false;           ///< applies StepInputs::contacts and moves the pins in its substeps
   std::vector<std::string_view> settings;  ///< keys of the settings that it reads and that not all solvers read
   /// A warning about this cloth and these parameters, if there is one. May be null.
   std::optional<SolverWarning> (*warning)(const ClothModel&, const StepParameters&) = nullptr;

@@ -84,6 +84,13 @@ std::vector<MovedPin> partOf(const std::vector<MovedPin>* whole, double share) {
   return part;
 }
 
+/// Whether a pin moves differently from the mean of all pins, `mean` [m].
+bool differFrom(const Vec3& mean, const std::vector<MovedPin>& pins) {
+  constexpr double rounding = 1e-12;  // [-]
+  return std::ranges::any_of(pins,
+                             [&](const MovedPin& pin) { return (pin.by - mean).norm() > rounding * pin.by.norm(); });
+}
+
 /// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
   return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
@@ -237,23 +244,15 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   planPins(model, inputs, state);
   closing_.plan(seams_, parameters.timeStep, state);
   const StepInputs own = inputsOfSolver(model, parameters, inputs, state);
-  const int substeps = info_->choosesSubsteps && pinMotions_.empty() ? 1 : parameters.substeps;
+  const bool solverMovesPins = info_->resolvesContacts;
+  const int substeps = info_->choosesSubsteps && (solverMovesPins || pinMotions_.empty()) ? 1 : parameters.substeps;
   part.timeStep = parameters.timeStep / substeps;
   if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinMotions_.empty()) {
     state.history.timeStep = 0.0;
     total = solver_->steps(model, part, own, substeps, state);
     advanceSubstepContacts(part.timeStep);
   } else {
-    MovingFrame frame(meanPinVelocity(model, parameters.timeStep));
-    part.air = frame.toFrame(part.air);
-    const StepInputs acting = frame.toFrame(own, part.timeStep);
-    for (int i = 0; i < substeps; ++i) {
-      movePins((i + 1.0) / substeps, state);
-      frame.enter(model, part.timeStep, state);
-      total.add(substep(model, part, acting, state));
-      frame.leave(model, part.timeStep, state);
-      advanceSubstepContacts(part.timeStep);
-    }
+    total = stepWithMovingPins(model, part, own, substeps, state);
   }
   if (closing_.acts()) {
     closeSeams(model, parameters, state);
@@ -268,6 +267,38 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   earlierContactWork_ += total.contactWork;
   dampingWork_ += total.settlingWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
+  return total;
+}
+
+/// @param parameters of a substep
+StepReport Stepper::stepWithMovingPins(const ClothModel& model, const StepParameters& parameters,
+                                       const StepInputs& inputs, int substeps, ClothState& state) {
+  StepReport total;
+  const Vec3 meanVelocity = meanPinVelocity(model, parameters.timeStep * substeps);
+  std::vector<MovedPin> pins = pinDisplacements(substeps);
+  // A solver that moves pins gets those that move differently. For others they are at the end of a substep during all
+  // of it.
+  const bool pinsDrift = info_->resolvesContacts && differFrom(parameters.timeStep * meanVelocity, pins);
+  MovingFrame frame(pinsDrift ? Vec3(Vec3::Zero()) : meanVelocity);
+  StepParameters inFrame = parameters;
+  inFrame.air = frame.toFrame(inFrame.air);
+  StepInputs acting = frame.toFrame(inputs, parameters.timeStep);
+  const bool pinsRest = std::ranges::all_of(pins, [](const MovedPin& pin) { return pin.by.isZero(0.0); });
+  if (!pinsDrift) {
+    std::ranges::for_each(pins, [](MovedPin& pin) { pin.by.setZero(); });  // they are at rest in the frame
+  }
+  acting.movedPins = pinsRest ? nullptr : &pins;
+  for (int i = 0; i < substeps; ++i) {
+    const double end = (i + 1.0) / substeps;
+    if (!pinsDrift) {
+      movePins(end, state);
+    }
+    frame.enter(model, parameters.timeStep, state);
+    total.add(substep(model, inFrame, acting, state));
+    frame.leave(model, parameters.timeStep, state);
+    movePins(end, state);
+    advanceSubstepContacts(parameters.timeStep);
+  }
   return total;
 }
 
@@ -342,6 +373,15 @@ void Stepper::movePins(double fraction, ClothState& state) const {
   for (const PinMotion& pin : pinMotions_) {
     state.positions[pin.vertex] = pin.from + fraction * (pin.to - pin.from);
   }
+}
+
+/// The displacement of each moving pin in a substep.
+std::vector<MovedPin> Stepper::pinDisplacements(int substeps) const {
+  std::vector<MovedPin> pins;
+  for (const PinMotion& pin : pinMotions_) {
+    pins.push_back({static_cast<int>(pin.vertex), (pin.to - pin.from) / substeps});
+  }
+  return pins;
 }
 
 /// The mean velocity of all pins if the moving ones take that time [m/s].

@@ -24,9 +24,9 @@ namespace drape::sim {
 /// - BDF2:   S(2/3 h) from (x*, v*) = 4/3 (x_n, v_n) - 1/3 (x_{n-1}, v_{n-1}). The first step, and the first after a
 ///   change of the step length, is a backward-Euler step.
 ///
-/// With `keepMomentum` the MomentumKeeper corrects every substep. Contact acts at the end of the step. Pins on a body
+/// With `keepMomentum` the MomentumKeeper corrects every substep. Contact acts at the end of the step. Moving pins
 /// move before every substep, evenly over the step. Solvers assume pins at rest, so they work in a frame that moves
-/// with the pins (MovingFrame).
+/// with the pins (MovingFrame). `auto` moves pins that move differently in its own substeps.
 ///
 /// The damping of a fabric acts at the start of the step (FabricDamper), for every solver. All else then starts from
 /// the damped velocities.
@@ -106,7 +106,10 @@ class Stepper {
   void advanceSubstepContacts(double timeStep);
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Moves pins on bodies to their positions after that fraction of the step.
+  StepReport stepWithMovingPins(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                int substeps, ClothState& state);
   void movePins(double fraction, ClothState& state) const;
+  [[nodiscard]] std::vector<MovedPin> pinDisplacements(int substeps) const;
   [[nodiscard]] Vec3 meanPinVelocity(const ClothModel& model, double seconds) const;
 
   StepReport substep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
