@@ -32,7 +32,8 @@ struct StepMemory {
   /// Root mean square of the vertices' displacement in the last step over its duration [m/s], for fabrics. Vibration
   /// hardly counts.
   double speed = 0.0;
-  int doubleSteps = 0;  ///< number of steps that are still to be taken in double, after the energy grew in float [-]
+  int doubleSteps = 0;   ///< number of steps that are still to be taken in double, after the energy grew in float [-]
+  int everySubstep = 0;  ///< number of steps in which bending and air are still to act in every substep [-]
   std::vector<StretchMemory> stretch = {};  ///< one for each of fabric::TriangleMaterials::list; empty: not chosen yet
   double strainsMeasured = 0.0;             ///< time of the last measurement of StretchMemory::strain [s]
   /// Positions at `sleepReferenceTime`, near which the vertices have stayed since [m]; null: they move.

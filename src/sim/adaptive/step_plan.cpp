@@ -288,8 +288,8 @@ StepPlan saferPlan(StepPlan plan) {
 
 StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                   const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory) {
-  return withSlowForces(planWithoutSlowForces(model, rates, parameters, options, inputs, memory), model, rates,
-                        parameters);
+  const StepPlan plan = planWithoutSlowForces(model, rates, parameters, options, inputs, memory);
+  return memory.everySubstep > 0 ? plan : withSlowForces(plan, model, rates, parameters);
 }
 
 bool dampingNeedsDouble(const LocalRates& rates, const CommonParameters& parameters) {

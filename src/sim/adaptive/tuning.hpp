@@ -163,8 +163,11 @@ struct AutoTuning {
   double maxBendingHOmega = 0.4;
   /// Longest time between two kicks by the air [s]. The air's force lags by half of it.
   double maxAirTime = 2.5e-4;
-  /// Maximum number of substeps between two kicks by bending and air [-], odd.
-  int maxSlowInterval = 15;
+  /// Maximum number of substeps between two kicks by bending and air [-], odd. Larger: hardly cheaper, more resonance.
+  int maxSlowInterval = 5;
+  /// Steps in which bending and air act in every substep after the energy grew [-]. Larger: fewer attempts with longer
+  /// intervals.
+  int everySubstepSteps = 64;
   /// Cost of a kick by bending and of one by the air, in kicks by the membrane [-].
   double bendingCost = 1.0;
   double airCost = 0.15;

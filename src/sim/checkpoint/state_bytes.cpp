@@ -172,6 +172,7 @@ void stepMemoryFields(Archive& archive, adaptive::StepMemory& memory) {
   archive(memory.fingerprint);
   archive(memory.speed);
   archive(memory.doubleSteps);
+  archive(memory.everySubstep);
   stretchFields(archive, memory.stretch);
   archive(memory.strainsMeasured);
   pointerFields(archive, memory.sleepReference, [](auto& to, auto& positions) { to(positions); });

@@ -68,6 +68,7 @@ class AdaptiveStep {
   std::optional<StepReport> step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                  const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
     contactWork_ = 0.0;
+    saferPlans_ = 0;
     adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = adaptive::saferPlan(plan);
@@ -90,7 +91,8 @@ class AdaptiveStep {
     if (estimating && choice.retries == 0) {
       estimateError(model, parameters, plan, state, memory);
     }
-    updateRetryLevel(choice, memory);
+    updateRetryLevel(saferPlans_, memory);
+    memory.everySubstep = std::max(0, memory.everySubstep - 1);
     memory.steps += 1;
     if (memory.steps == 2 * adaptive::tuning.estimateInterval) {
       memory.steps = adaptive::tuning.estimateInterval;
@@ -108,10 +110,11 @@ class AdaptiveStep {
                 adaptive::StepChoice& choice) {
     guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()),
                    simd::stepOrigin<T>(state.positions));
-    for (int retry = 0; retry <= adaptive::tuning.maxRetries; ++retry) {
+    while (saferPlans_ <= adaptive::tuning.maxRetries) {
       checkStop(inputs);
+      const bool isRetry = choice.retries > 0;
       const bool startIsKnown = guard_.isStartEnergyKnown(plan, memory);
-      const bool measuring = retry > 0 || inputs.attachment || guard_.isMeasurementDue(plan, memory);
+      const bool measuring = isRetry || inputs.attachment || guard_.isMeasurementDue(plan, memory);
       adaptive::StepEnergy energy =
           run_.run(model, rates, parameters, inputs, plan, state, {measuring && !startIsKnown, measuring});
       energy.start = startIsKnown ? memory.energy : energy.start;
@@ -119,7 +122,7 @@ class AdaptiveStep {
                           pinWork(model, parameters, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
-      if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
+      if (!guard_.hasGrown(energy, work, isRetry, memory)) {
         before_ = model.fabric ? state.positions : std::vector<Vec3>();
         run_.store(state);
         run_.storeContacts(inputs);
@@ -128,10 +131,18 @@ class AdaptiveStep {
         guard_.store(model, parameters, plan, energy, work, memory, state);
         return true;
       }
+      if (plan.bendingInterval > 1 || plan.airInterval > 1) {
+        // Forces that act in one of several substeps can be in resonance with the membrane.
+        plan.bendingInterval = plan.airInterval = 1;
+        memory.everySubstep = adaptive::tuning.everySubstepSteps;
+        ++choice.retries;
+        continue;
+      }
       if (std::is_same_v<T, float> && model.fabric) {
         return false;
       }
       ++choice.retries;
+      ++saferPlans_;
       plan = adaptive::saferPlan(plan);
       choice.order = 2;
       choice.substeps = plan.substeps;
@@ -142,10 +153,10 @@ class AdaptiveStep {
     return true;
   }
 
-  /// After a retry the next steps start with a safer plan. The retry level falls again after some calm steps.
-  static void updateRetryLevel(const adaptive::StepChoice& choice, adaptive::StepMemory& memory) {
-    if (choice.retries > 0) {
-      memory.retryLevel = std::min(memory.retryLevel + choice.retries, adaptive::tuning.maxRetryLevel);
+  /// After a retry with a safer plan the next steps start with one. The retry level falls again after some calm steps.
+  static void updateRetryLevel(int saferPlans, adaptive::StepMemory& memory) {
+    if (saferPlans > 0) {
+      memory.retryLevel = std::min(memory.retryLevel + saferPlans, adaptive::tuning.maxRetryLevel);
       memory.calmSteps = 0;
     } else if (memory.retryLevel > 0 && ++memory.calmSteps == adaptive::tuning.calmSteps) {
       --memory.retryLevel;
@@ -308,6 +319,7 @@ class AdaptiveStep {
   std::vector<Vec3> before_;  // positions at the start of the step, of a fabric
   std::vector<Vec3> averaged_;
   double contactWork_ = 0.0;  // of the last step [J]
+  int saferPlans_ = 0;        // retries of the step with a safer plan
 };
 
 class AutoSolver final : public Solver {
@@ -346,18 +358,25 @@ class AutoSolver final : public Solver {
                        adaptive::StepMemory& memory, ClothState& state) {
     const LocalRates& rates = rates_.get(model, localRatesOf);
     const DoubleReason reason = reasonForDouble(model, rates, parameters, inputs, memory, state);
-    if (reason == DoubleReason::None) {
+    const bool startsInFloat = reason == DoubleReason::None;
+    if (startsInFloat) {
       const adaptive::StepMemory before = memory;
       if (const std::optional<StepReport> report = single_.step(model, rates, parameters, inputs, memory, state)) {
         return *report;
       }
+      const int everySubstep = memory.everySubstep;
       memory = before;
+      memory.everySubstep = everySubstep;
       memory.doubleSteps = adaptive::tuning.doubleSteps;
     }
     memory.doubleSteps = std::max(0, memory.doubleSteps - 1);
     StepParameters affordable = parameters;
     affordable.automatic.costBudget /= reason == DoubleReason::Tolerance ? adaptive::tuning.doubleCost : 1.0;
-    return *double_.step(model, rates, affordable, inputs, memory, state);
+    StepReport report = *double_.step(model, rates, affordable, inputs, memory, state);
+    if (startsInFloat && report.choice->retries > 0) {
+      memory.doubleSteps = 0;  // the energy grew in double, too, so rounding is not the cause
+    }
+    return report;
   }
 
   /// Why a step is taken in double: it must be, or it is more accurate for the same cost.

@@ -242,44 +242,5 @@ TEST(StretchChoice, continuesEquallyFromACopyOfTheState) {
   EXPECT_EQ(stateHash(state), stateHash(copy));
 }
 
-TEST(SlowForces, ofBendingActLessOftenThanThoseOfTheAir) {
-  const auto model = hangingFabric();
-  StepParameters parameters;
-  parameters.timeStep = 1.0 / 60.0;
-  parameters.automatic.costBudget = 1e5;
-  parameters.air.drag = 1.0;
-  const LocalRates rates = localRatesOf(*model);
-  const StepPlan plan = planStep(*model, rates, parameters, parameters.automatic, {}, {});
-  const double substep = parameters.timeStep / plan.substeps;
-  EXPECT_LE(plan.airInterval * substep, tuning.maxAirTime);
-  EXPECT_LE(plan.bendingInterval * substep * rates.bendingFrequency, tuning.maxBendingHOmega);
-  EXPECT_GT(plan.bendingInterval, plan.airInterval);
-  EXPECT_EQ(plan.bendingInterval % (2 * plan.airInterval), plan.airInterval)
-      << "an odd multiple: both middles coincide";
-  EXPECT_EQ(plan.substeps % plan.bendingInterval, 0);
-}
-
-TEST(SlowForces, actLessOftenThanTheMembraneAndKeepTheEnergy) {
-  const auto model = hangingFabric();
-  StepParameters parameters;
-  parameters.timeStep = 1.0 / 60.0;
-  parameters.automatic.costBudget = 1e5;
-  parameters.air.drag = parameters.air.lift = 0.0;
-  ClothState state = shaken(*model, 0.002, 5);
-  const StepPlan plan = planStep(*model, localRatesOf(*model), parameters, parameters.automatic, {}, {});
-  if (plan.scheme == ExplicitScheme::Verlet) {
-    EXPECT_GT(plan.bendingInterval, 1);
-    EXPECT_EQ(plan.bendingInterval % 2, 1);
-    EXPECT_EQ(plan.substeps % plan.bendingInterval, 0);
-  }
-  Stepper stepper("auto");
-  const double start = energyOf(*model, parameters, state).total();
-  const double moving = energyOf(*model, parameters, state).elastic + energyOf(*model, parameters, state).kinetic;
-  for (int i = 0; i < 60; ++i) {
-    (void)stepper.step(*model, parameters, {}, state);
-  }
-  EXPECT_NEAR(energyOf(*model, parameters, state).total(), start, 0.02 * moving);
-}
-
 }  // namespace
 }  // namespace drape::sim::adaptive
