@@ -79,6 +79,19 @@ TEST(SimulationThread, takesCommandsAndScenesFromOtherThreadsWhileAReaderLooks) 
   EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.positions.size() == 144U && !s.attachment; }));
 }
 
+TEST(SimulationThread, replacesScenesAndTheirBodiesWhileItsErrorIsChecked) {
+  const auto sceneWithBody = [] { return testing::builtIn("sphere", {"grid.resolution=5"}); };
+  SimulationThread simulation(sceneWithBody(), false);
+  for (int i = 0; i < 10; ++i) {
+    simulation.post(SetSettingCommand{"error_check", true});
+    ASSERT_TRUE(
+        eventually(simulation, [](const Snapshot& s) { return s.settings.measures.errorCheck && s.step >= 3; }));
+    simulation.post(LoadSceneCommand{sceneWithBody()});
+  }
+  simulation.post(SetSettingCommand{"error_check", true});
+  EXPECT_TRUE(eventually(simulation, [](const Snapshot& s) { return s.accuracy.has_value(); }));
+}
+
 TEST(SimulationThread, slowsTheClockDownInsteadOfFallingBehind) {
   scene::SceneDescription description = scene::openScene("grid");
   description.settings.grid.resolution = 129;
