@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,14 @@ inline std::shared_ptr<const ClothModel> asFabric(const ClothModel& model, const
                                                   fabric::RestCurvature curvature = fabric::RestCurvature::Flat) {
   const Vec3 warp = Vec3(1.0, 0.3, 0.4).normalized();
   return fabric::withFabric(model, material, fabric::warpAlong(warp, model.restPositions, model.triangles), curvature);
+}
+
+/// A sheet of 17 x 17 vertices, 1 m and 0.1 kg, that hangs from its first row.
+inline std::shared_ptr<const ClothModel> hangingFromRow(const fabric::Material& material) {
+  constexpr int n = 17;
+  std::vector<int> pins(n);
+  std::iota(pins.begin(), pins.end(), 0);
+  return asFabric(*buildClothModel(sheet(n), 0.1, MassLumping::Area, pins), material);
 }
 
 struct NamedCloth {

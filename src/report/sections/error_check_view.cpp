@@ -28,7 +28,7 @@ bool isKnown(const ReportRow& row) {
 TextTable tableOf(const ReportRows& rows) {
   TextTable table{"Errors after 0.2 s",
                   {"cloth", "method", "error by the check [mm]", "true error [mm]", "check / true",
-                   "two references part by [mm]", "jitter [mm]", "verdict of the check", "note"},
+                   "spread of the references [mm]", "jitter [mm]", "verdict of the check", "note"},
                   {}};
   for (const ReportRow& row : rows) {
     const std::string note = checkNote(row);
@@ -65,12 +65,12 @@ std::vector<Block> showErrorCheck(const ReportOptions&, const ReportRows& rows) 
   std::vector<Block> blocks;
   blocks.emplace_back(Paragraph{fmt::format(
       "With 'error_check' Drape compares 0.2 s of the motion with that of 'auto' with finer steps, and with a second "
-      "such "
-      "motion whose start differs by 0.001 mm. It shows the error, or says that it cannot be known because tiny "
-      "differences grow too fast. The table compares the error with the distance from a converged reference. 'Jitter' "
-      "is "
-      "the distance by which converged motions part whose starts differ by up to 0.001 mm. Of {} checks that give an "
-      "error, {} are wrong by more than a factor of {:g}; their rows are red. Errors below 0.001 mm count as 0.001 mm.",
+      "such motion whose start differs by 0.001 mm. 'Spread' is the distance between the two finer motions. Drape "
+      "shows the error, "
+      "or says that it cannot be known because tiny differences grow too fast. The table compares the error with the "
+      "distance from a converged reference. 'Jitter' is the distance between two converged motions whose starts differ "
+      "by up to 0.001 mm. Of {} checks that give an error, {} are wrong by more than a factor of {:g}; their rows are "
+      "red. Errors below 0.001 mm count as 0.001 mm.",
       known, wrong, promisedFactor)});
   blocks.emplace_back(tableOf(rows));
   return blocks;

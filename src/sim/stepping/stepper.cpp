@@ -252,7 +252,7 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
     total = solver_->steps(model, part, own, substeps, state);
     advanceSubstepContacts(part.timeStep);
   } else {
-    total = stepWithMovingPins(model, part, own, substeps, state);
+    total = stepInFrameOfPins(model, part, own, substeps, state);
   }
   if (closing_.acts()) {
     closeSeams(model, parameters, state);
@@ -270,14 +270,14 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   return total;
 }
 
-/// @param parameters of a substep
-StepReport Stepper::stepWithMovingPins(const ClothModel& model, const StepParameters& parameters,
-                                       const StepInputs& inputs, int substeps, ClothState& state) {
+/// Takes the substeps of a step in the frame of reference of the pins. @param parameters of a substep
+StepReport Stepper::stepInFrameOfPins(const ClothModel& model, const StepParameters& parameters,
+                                      const StepInputs& inputs, int substeps, ClothState& state) {
   StepReport total;
   const Vec3 meanVelocity = meanPinVelocity(model, parameters.timeStep * substeps);
   std::vector<MovedPin> pins = pinDisplacements(substeps);
-  // A solver that moves pins gets those that move differently. For others they are at the end of a substep during all
-  // of it.
+  // Pins that move differently drift during a substep if the solver moves pins. Otherwise they are at its end from its
+  // start.
   const bool pinsDrift = info_->resolvesContacts && differFrom(parameters.timeStep * meanVelocity, pins);
   MovingFrame frame(pinsDrift ? Vec3(Vec3::Zero()) : meanVelocity);
   StepParameters inFrame = parameters;

@@ -106,8 +106,8 @@ class Stepper {
   void advanceSubstepContacts(double timeStep);
   void planPins(const ClothModel& model, const StepInputs& inputs, const ClothState& state);
   /// Moves pins on bodies to their positions after that fraction of the step.
-  StepReport stepWithMovingPins(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
-                                int substeps, ClothState& state);
+  StepReport stepInFrameOfPins(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                               int substeps, ClothState& state);
   void movePins(double fraction, ClothState& state) const;
   [[nodiscard]] std::vector<MovedPin> pinDisplacements(int substeps) const;
   [[nodiscard]] Vec3 meanPinVelocity(const ClothModel& model, double seconds) const;

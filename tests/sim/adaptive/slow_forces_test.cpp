@@ -14,23 +14,18 @@
 namespace drape::sim::adaptive {
 namespace {
 
-using testing::asFabric;
+using testing::hangingFromRow;
 using testing::shaken;
-using testing::sheet;
 using testing::woven;
 
 /// A sheet of 1 m that hangs from its upper edge, with that multiple of the bending stiffness of `woven`.
 std::shared_ptr<const ClothModel> bendingSheet(double bending = 1.0) {
-  std::vector<int> pins;
-  for (int i = 0; i < 17; ++i) {
-    pins.push_back(i);
-  }
   fabric::Material material = woven();
   material.stretchWarp = material.stretchWeft = 6000.0;
   for (double* stiffness : {&material.bendWarp, &material.bendWeft, &material.bendBias}) {
     *stiffness *= bending;
   }
-  return asFabric(*buildClothModel(sheet(17), 0.1, MassLumping::Area, pins), material);
+  return hangingFromRow(material);
 }
 
 TEST(SlowForces, ofBendingActLessOftenThanThoseOfTheAir) {

@@ -21,14 +21,10 @@ using namespace testing;
 
 /// A sheet of 1 m that hangs from its upper edge. @param damping of stretch and bending [s]
 std::shared_ptr<const ClothModel> hangingFabric(double damping = 0.0) {
-  std::vector<int> pins;
-  for (int i = 0; i < 17; ++i) {
-    pins.push_back(i);
-  }
   fabric::Material material = woven();
   material.stretchWarp = material.stretchWeft = 6000.0;
   material.stretchDamping = material.bendDamping = damping;
-  return asFabric(*buildClothModel(sheet(17), 0.1, MassLumping::Area, pins), material);
+  return hangingFromRow(material);
 }
 
 /// Two sheets of 1 m that hang side by side from their upper edges. @param soft the second one, which its own weight
