@@ -1,6 +1,10 @@
 #include "frame.glsl"
 #include "color.glsl"
 #include "light.glsl"
+#ifdef WRINKLES
+#include "noise.glsl"
+#include "wrinkles.glsl"
+#endif
 
 uniform float checkSize;  // side of a check [m]
 uniform float checkered;  // 1: checks; 0: plain
@@ -113,9 +117,14 @@ float edges() {
 void main() {
   bool front = gl_FrontFacing;
   vec3 toEye = normalize(eye.xyz - eye.w * surface.position);
-  vec3 normal = normalize(surface.normal) * (front ? 1.0 : -1.0);
+  vec3 smoothNormal = normalize(surface.normal) * (front ? 1.0 : -1.0);
   // At an outline a smooth normal may point away from the viewer. Turn it back to the visible side.
-  normal = normalize(normal + toEye * max(0.02 - dot(normal, toEye), 0.0));
+  smoothNormal = normalize(smoothNormal + toEye * max(0.02 - dot(smoothNormal, toEye), 0.0));
+#ifdef WRINKLES
+  vec3 normal = wrinkled(surface.position, smoothNormal, toEye, front);
+#else
+  vec3 normal = smoothNormal;
+#endif
 
   vec3 color = clothColor(front);
 #ifdef WIREFRAME
@@ -126,7 +135,7 @@ void main() {
   color = mix(color, fromScreen(wire), 0.72);
 #endif
   float facing = dot(normal, toLight.xyz);
-  float visible = mix(1.0, keyVisibility(surface.position, facing >= 0.0 ? normal : -normal), shadowed);
+  float visible = mix(1.0, keyVisibility(surface.position, sideOfLight(smoothNormal)), shadowed);
   float lit = max((facing + 0.08) / 1.08, 0.0);
   // Thin cloth lets light from behind through, in its own colour.
   vec3 through = 0.48 * max(-facing, 0.0) * sqrt(color);

@@ -4,6 +4,9 @@
 #include "light.glsl"
 #include "noise.glsl"
 #include "structure.glsl"
+#ifdef WRINKLES
+#include "wrinkles.glsl"
+#endif
 
 uniform vec2 warpTurn;       // cosine and sine of the angle by which warp is turned
 uniform vec3 warpColor;      // as on the screen
@@ -69,7 +72,12 @@ void main() {
   vec2 place = placeOnFabric();
   Directions frame = frameOf(place, smoothNormal);
   Yarn yarn = structureAt(place, frame, toEye, front);
-  vec3 normal = normalize(smoothNormal - yarn.slope.x * frame.weft - yarn.slope.y * frame.warp);
+#ifdef WRINKLES
+  vec3 baseNormal = wrinkled(surface.position, smoothNormal, toEye, front);
+#else
+  vec3 baseNormal = smoothNormal;
+#endif
+  vec3 normal = normalize(baseNormal - yarn.slope.x * frame.weft - yarn.slope.y * frame.warp);
   frame.weft = normalize(frame.weft - normal * dot(normal, frame.weft));
   frame.warp = normalize(frame.warp - normal * dot(normal, frame.warp));
 
@@ -78,14 +86,14 @@ void main() {
   // Dense warp yarns shade the weft between them.
   float shade = front && structure == 0 && weave.z < 1.0 ? 0.5 : 1.0;
   vec3 color = mix(fromScreen(warpColor), shade * fromScreen(weftColor), yarn.weft) * max(yarn.light, 0.0);
-  float facing = dot(smoothNormal, toLight.xyz);
-  float visible = keyVisibility(surface.position, facing >= 0.0 ? smoothNormal : -smoothNormal);
+  float facing = dot(baseNormal, toLight.xyz);
+  float visible = keyVisibility(surface.position, sideOfLight(smoothNormal));
   float lit = max((dot(normal, toLight.xyz) + 0.08) / 1.08, 0.0);
   vec3 through = 0.48 * translucency * max(-facing, 0.0) * sqrt(color);
   vec3 room = roomLight(surface.position, normal, toEye, front ? surface.curvature : -surface.curvature);
   vec3 result = color * (keyLight * visible * (lit + through) + room);
 
-  float grazing = 1.0 - max(dot(smoothNormal, toEye), 0.0);
+  float grazing = 1.0 - max(dot(baseNormal, toEye), 0.0);
   vec3 tint = mix(vec3(1.0), color / max(max(color.r, color.g), max(color.b, 1e-3)), 0.8);
   result += sheen * pow(grazing, 3.0) * tint * (room + 0.6 * keyLight * visible * max(facing + 0.3, 0.0));
 

@@ -17,6 +17,9 @@ vec2 discPoint(int i, int n, float turn) {
   return sqrt((float(i) + 0.5) / float(n)) * vec2(cos(angle), sin(angle));
 }
 
+// The normal of a surface to the side of the key light.
+vec3 sideOfLight(vec3 normal) { return dot(normal, toLight.xyz) >= 0.0 ? normal : -normal; }
+
 // Fraction of the key light that reaches a point, 0 to 1. `normal` points to the side of the light.
 float keyVisibility(vec3 position, vec3 normal) {
   if (toLight.w < 0.5) {

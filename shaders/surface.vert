@@ -8,6 +8,11 @@ layout(location = 4) in vec2 yarns;
 #ifdef FIELD
 layout(location = 5) in float place;
 #endif
+#ifdef WRINKLES
+layout(location = 6) in vec3 placeOfWrinkles;
+layout(location = 7) in vec3 diagonalOfWrinkles;
+layout(location = 8) in vec3 mixedOfWrinkles;
+#endif
 
 out Surface {
   vec3 position;    // [m]
@@ -19,6 +24,11 @@ out Surface {
 #ifdef FIELD
 out float fieldPlace;  // in the range of colours, 0 to 1; below -1000 where the field is not defined
 #endif
+#ifdef WRINKLES
+out vec3 wrinklePlace;  // see wrinkles.glsl
+out vec3 wrinkleDiagonal;
+out vec3 wrinkleMixed;
+#endif
 
 void main() {
   surface.position = position;
@@ -28,6 +38,11 @@ void main() {
   surface.yarns = yarns;
 #ifdef FIELD
   fieldPlace = place;
+#endif
+#ifdef WRINKLES
+  wrinklePlace = placeOfWrinkles;
+  wrinkleDiagonal = diagonalOfWrinkles;
+  wrinkleMixed = mixedOfWrinkles;
 #endif
   gl_Position = viewProjection * vec4(position, 1.0);
 }

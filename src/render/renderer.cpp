@@ -14,6 +14,7 @@
 #include "render/smooth_mesh.hpp"
 #include "render/surface_coordinates.hpp"
 #include "render/texture_units.hpp"
+#include "render/wrinkles.hpp"
 #include "render/yarn_coordinates.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/framing.hpp"
@@ -93,6 +94,7 @@ std::vector<bool> clothsWithWarpAlongUvs(const scene::Scene& scene, const settin
 struct Renderer::Parts {
   void take(const session::Snapshot& snapshot);
   void takeField(const fields::ShownField* shown);
+  void takeWrinkles(const session::Snapshot& snapshot);
   void takeScene(const scene::Scene& scene, const settings::Settings& settings);
   void takeGhost(const session::Snapshot& snapshot);
   [[nodiscard]] std::vector<const SmoothMesh*> solidMeshes() const;
@@ -119,11 +121,14 @@ struct Renderer::Parts {
   ShaderProgram wireframeProgram{"surface.vert", "cloth.frag", "wireframe.geom", "#define WIREFRAME\n"};
   std::optional<ShaderProgram> fieldProgram;  // compiled when it is needed first
   std::optional<ShaderProgram> fieldWireframeProgram;
+  std::optional<ShaderProgram> clothWrinklesProgram;  // likewise
+  std::optional<ShaderProgram> fabricWrinklesProgram;
   ShaderProgram standProgram{"surface.vert", "stand.frag"};
   ShaderProgram bodyProgram{"surface.vert", "stand.frag", {}, "#define BODY\n"};
   ShaderProgram groundProgram{"ground.vert", "ground.frag"};
   GlVertexArray nothing;
   SmoothMesh cloth;
+  WrinkleMap wrinkles;
   SmoothMesh ghost;
   SmoothMesh stand;
   BodyDrawing bodies;
@@ -141,6 +146,7 @@ struct Renderer::Parts {
   double sceneSize = 1.0;                       // half the diagonal of cloth and stand at the start [m]
   double groundFade = 1.0;                      // [m]
   bool shadowsAreCurrent = false;
+  bool drawsWrinkles = false;
   bool hasGhost = false;
   bool ghostStandsBeside = false;              // far enough from the cloth for its own shadows
   double clothWidth = 0.0;                     // at the scene's start [m]
@@ -188,6 +194,21 @@ void Renderer::Parts::takeField(const fields::ShownField* shown) {
                              : static_cast<float>(std::clamp(shown->range.placeOf(value), -farOutside, farOutside));
   });
   cloth.setValues(places);
+}
+
+/// Uploads the wrinkles of the cloth while they are drawn. Comes after takeField.
+void Renderer::Parts::takeWrinkles(const session::Snapshot& snapshot) {
+  drawsWrinkles = snapshot.settings.view.wrinkles && !snapshot.settings.view.wireframe && colours == nullptr;
+  if (!drawsWrinkles) {
+    return;
+  }
+  if (!clothWrinklesProgram) {
+    clothWrinklesProgram.emplace("surface.vert", "cloth.frag", std::string_view(), "#define WRINKLES\n");
+    fabricWrinklesProgram.emplace("surface.vert", "fabric.frag", std::string_view(), "#define WRINKLES\n");
+  }
+  if (wrinkles.update(snapshot)) {
+    cloth.setWrinkles(wrinkles.vertices());
+  }
 }
 
 void Renderer::Parts::takeGhost(const session::Snapshot& snapshot) {
@@ -299,11 +320,14 @@ void Renderer::Parts::setPattern(const ShaderProgram& program, const settings::S
   program.set("checkered", surfaceOf(settings) == Surface::Checker ? 1.0F : 0.0F);
 }
 
-/// Draws each cloth as its fabric, with the current program.
+/// Draws each cloth as its fabric.
 void Renderer::Parts::drawFabrics(const settings::Settings& settings) const {
+  const ShaderProgram& program = drawsWrinkles ? *fabricWrinklesProgram : fabricProgram;
+  program.use();
+  setLight(program);
   for (const scene::ClothPart& part : scene->cloths) {
     const settings::Settings own = scene::settingsOf(part.own, settings);
-    setFabric(fabricProgram, lookOf(own), own.fabric.warpAngle);
+    setFabric(program, lookOf(own), own.fabric.warpAngle);
     cloth.draw(part.firstTriangle, part.triangleCount);
   }
 }
@@ -328,12 +352,12 @@ void Renderer::Parts::drawCloth(const settings::Settings& settings) const {
   }
   // The wireframe keeps its own colours, on which the edges can be read.
   if (surfaceOf(settings) == Surface::Fabric && !settings.view.wireframe) {
-    fabricProgram.use();
-    setLight(fabricProgram);
     drawFabrics(settings);
     return;
   }
-  const ShaderProgram& program = settings.view.wireframe ? wireframeProgram : clothProgram;
+  const ShaderProgram& program = drawsWrinkles             ? *clothWrinklesProgram
+                                 : settings.view.wireframe ? wireframeProgram
+                                                           : clothProgram;
   program.use();
   setPattern(program, settings);
   program.set("ghostly", 0.0F);
@@ -417,6 +441,7 @@ void Renderer::draw(const session::Snapshot& snapshot, const Camera& camera, int
   const settings::Settings::View& view = snapshot.settings.view;
   parts.take(snapshot);
   parts.takeField(extras.field);
+  parts.takeWrinkles(snapshot);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_CULL_FACE);
   glDisable(GL_BLEND);

@@ -1,6 +1,7 @@
 #include "render/smooth_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <numeric>
 
@@ -13,6 +14,7 @@ constexpr GLuint surfaceAttribute = 2U;
 constexpr GLuint curvatureAttribute = 3U;
 constexpr GLuint yarnAttribute = 4U;
 constexpr GLuint valueAttribute = 5U;
+constexpr GLuint wrinkleAttribute = 6U;  // the first of three
 
 const void* bufferOffset(std::size_t bytes) {
   // OpenGL takes offsets as pointers.
@@ -114,6 +116,22 @@ void SmoothMesh::setValues(std::span<const float> values) {
                GL_STREAM_DRAW);
   glEnableVertexAttribArray(valueAttribute);
   glVertexAttribPointer(valueAttribute, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  glBindVertexArray(0);
+}
+
+void SmoothMesh::setWrinkles(std::span<const Wrinkles> wrinkles) {
+  wrinklesOfVertex_.resize(particleOfVertex_.size());
+  std::transform(particleOfVertex_.begin(), particleOfVertex_.end(), wrinklesOfVertex_.begin(),
+                 [&](int particle) { return wrinkles[particle]; });
+  glBindVertexArray(vertexArray_.name());
+  glBindBuffer(GL_ARRAY_BUFFER, wrinkles_.name());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(wrinklesOfVertex_.size() * sizeof(Wrinkles)),
+               wrinklesOfVertex_.data(), GL_STREAM_DRAW);
+  const std::array offsets{offsetof(Wrinkles, place), offsetof(Wrinkles, diagonal), offsetof(Wrinkles, mixed)};
+  for (GLuint i = 0; i < offsets.size(); ++i) {
+    glEnableVertexAttribArray(wrinkleAttribute + i);
+    glVertexAttribPointer(wrinkleAttribute + i, 3, GL_FLOAT, GL_FALSE, sizeof(Wrinkles), bufferOffset(offsets[i]));
+  }
   glBindVertexArray(0);
 }
 

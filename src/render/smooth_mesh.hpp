@@ -2,6 +2,7 @@
 
 #include "render/gl_objects.hpp"
 #include "render/surface_shapes.hpp"
+#include "render/wrinkles.hpp"
 #include "sim/model/vector.hpp"
 
 #include <Eigen/Core>
@@ -22,7 +23,7 @@ struct MeshTopology {
 
 /// A moving triangle mesh on the graphics card. Positions and smooth normals are uploaded when they change, indices and
 /// surface coordinates once. Vertex attributes: 0 position, 1 normal, 2 surface coordinates, 3 curvature, 4 yarn
-/// coordinates, 5 a value, such as a place in a range of colours.
+/// coordinates, 5 a value, such as a place in a range of colours, 6 to 8 wrinkles.
 class SmoothMesh {
  public:
   SmoothMesh();
@@ -34,6 +35,9 @@ class SmoothMesh {
 
   /// Uploads one value a particle.
   void setValues(std::span<const float> values);
+
+  /// Uploads the wrinkles at each particle.
+  void setWrinkles(std::span<const Wrinkles> wrinkles);
 
   /// Draws the triangles with the current program.
   void draw() const;
@@ -59,12 +63,14 @@ class SmoothMesh {
   GlVertexArray vertexArray_;
   GlBuffer moving_;
   GlBuffer fixed_;
-  GlBuffer values_;  // empty until setValues
+  GlBuffer values_;    // empty until setValues
+  GlBuffer wrinkles_;  // empty until setWrinkles
   GlBuffer indices_;
   GLsizei indexCount_ = 0;
   std::vector<Triangle> particleTriangles_;
   std::vector<int> particleOfVertex_;
   std::vector<float> valueOfVertex_;
+  std::vector<Wrinkles> wrinklesOfVertex_;
   SurfaceShapes shapes_;
   Eigen::AlignedBox3d bounds_;
 };

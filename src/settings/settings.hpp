@@ -91,6 +91,7 @@ struct Settings {
     bool ground = true;
     bool shadows = true;
     bool occlusion = true;  ///< ambient occlusion
+    bool wrinkles = false;  ///< wrinkles that are smaller than the triangles
     bool contacts = false;
     bool intersections = false;
     bool pins = true;

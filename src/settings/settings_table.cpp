@@ -704,6 +704,10 @@ const std::array table{
     SettingInfo{"view.occlusion", "Ambient occlusion", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.occlusion; }},
         "Darkens folds, and surfaces that lie close to each other, where less light of the room arrives."},
+    SettingInfo{"view.wrinkles", "Wrinkles", "-", SettingGroup::View, SettingEffect::View,
+        FlagField{[](auto& s) -> auto& { return s.view.wrinkles; }},
+        "Draws wrinkles that are smaller than the triangles, where the mesh is compressed. They change the light only, not "
+        "the motion or the exports. The wireframe, colour maps and the ghost have none."},
     SettingInfo{"view.pins", "Pins", "-", SettingGroup::View, SettingEffect::View,
         FlagField{[](auto& s) -> auto& { return s.view.pins; }},
         "Draws a dot at each pinned vertex. Pictures saved with F12 never show them."},

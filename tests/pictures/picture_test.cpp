@@ -60,6 +60,7 @@ std::vector<PictureCase> pictureCases() {
   cases.push_back(
       {"grid_stretch_fixed", "grid", {"view.colour_map=strain_warp", "view.colour_low=90", "view.colour_high=130"}});
   cases.push_back({"flag_plain_from_behind", "flag", {"view.surface=plain", "view.ground=off"}, 2.6});
+  cases.push_back({"grid_wrinkles", "grid", {"view.wrinkles=on", "view.surface=plain"}, 0.0, 0.8});
   return cases;
 }
 

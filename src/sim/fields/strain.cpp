@@ -1,5 +1,6 @@
 #include "sim/fabric/fabric.hpp"
 #include "sim/fields/computations.hpp"
+#include "sim/fields/triangle_means.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,43 +9,21 @@
 namespace drape::sim::fields {
 namespace {
 
-/// C of a triangle as (C_11, C_22, C_12) [-]. The triangle must have an area at rest.
-Vec3 metricOf(const fabric::RestTriangle& rest, const Triangle& corners, std::span<const Vec3> positions) {
-  Eigen::Matrix2d sides;
-  sides << rest.sides[0], rest.sides[1];
-  Eigen::Matrix<double, 3, 2> now;
-  now << positions[corners[1]] - positions[corners[0]], positions[corners[2]] - positions[corners[1]];
-  const Eigen::Matrix<double, 3, 2> gradient = now * sides.inverse();
-  const Eigen::Matrix2d metric = gradient.transpose() * gradient;
-  return {metric(0, 0), metric(1, 1), metric(0, 1)};
-}
-
 /// Writes valueOf(mean over the triangles of a vertex of ofTriangle(triangle)). @param zero of the quantity
 template <typename Quantity, typename OfTriangle, typename ValueOf>
 void fromTriangles(const FieldInputs& inputs, std::span<double> values, const Quantity& zero,
                    const OfTriangle& ofTriangle, const ValueOf& valueOf) {
-  const std::vector<fabric::RestTriangle>& rest = inputs.geometry.rest;
-  std::vector<Quantity> parts(rest.size(), zero);
-  for (std::size_t t = 0; t < rest.size(); ++t) {
-    if (rest[t].area > 0.0) {
-      parts[t] = rest[t].area * ofTriangle(t);
-    }
-  }
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    double area = 0.0;
-    Quantity sum = zero;
-    for (const int t : inputs.model.vertexTriangles[v]) {
-      sum += parts[t];
-      area += rest[t].area;
-    }
-    values[v] = area > 0.0 ? valueOf(Quantity(sum / area)) : undefinedValue;
-  }
+  forTriangleMeans(
+      inputs.model, inputs.geometry, zero, ofTriangle,
+      [&](std::size_t v, const Quantity& mean) { values[v] = valueOf(mean); },
+      [&](std::size_t v) { values[v] = undefinedValue; });
 }
 
 template <typename ValueOf>
 void fromMetric(const FieldInputs& inputs, std::span<double> values, const ValueOf& valueOf) {
-  const auto metric = [&](std::size_t t) {
-    return metricOf(inputs.geometry.rest[t], inputs.model.triangles[t], inputs.positions);
+  const auto metric = [&](std::size_t t) -> Vec3 {
+    const Eigen::Matrix2d c = metricOf(inputs.geometry.rest[t], inputs.model.triangles[t], inputs.positions);
+    return {c(0, 0), c(1, 1), c(0, 1)};
   };
   fromTriangles(inputs, values, Vec3(Vec3::Zero()), metric, valueOf);
 }
