@@ -3,6 +3,7 @@
 #include "app/fabric_json.hpp"
 #include "messages/error.hpp"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -72,6 +73,7 @@ constexpr std::tuple table{
     row<session::MovePinsCommand>("move_pins", Field{"by", &session::MovePinsCommand::by}),
     row<session::SetPinPathsCommand>("set_pin_paths", Field{"paths", &session::SetPinPathsCommand::paths},
                                      Field{"moves", &session::SetPinPathsCommand::moves}),
+    row<session::SetSewingCommand>("set_sewing", Field{"sewing", &session::SetSewingCommand::sewing}),
     row<session::UntangleCommand>("untangle"),
     row<session::PlaceClothCommand>("place_cloth", Field{"positions", &session::PlaceClothCommand::positions},
                                     Field{"is_start", &session::PlaceClothCommand::isStart}),
@@ -159,6 +161,38 @@ void put(Json& json, const std::vector<scene::PinPath>& paths) {
   }
 }
 
+void put(Json& json, const scene::SeamDescription& seam) {
+  for (const scene::BorderDescription& side : seam.sides) {
+    Json& entry = json["sides"].emplace_back();
+    entry["cloth"] = side.cloth;
+    entry["vertices"] = side.vertices;
+    put(entry["nearest"], side.nearest);
+  }
+  json["pairs"] = seam.pairs;
+  json["duration"] = seam.duration;
+  json["reversed"] = seam.isReversed;
+}
+
+void put(Json& json, const scene::BandDescription& band) {
+  put(json["nearest"], band.nearest);
+  json["vertices"] = band.vertices;
+  json["length"] = band.length;
+}
+
+void put(Json& json, const scene::Sewing& sewing) {
+  json["seams"] = Json::array();
+  for (const scene::SeamDescription& seam : sewing.seams) {
+    put(json["seams"].emplace_back(), seam);
+  }
+  json["bands"] = Json::array();
+  for (const std::vector<scene::BandDescription>& ofCloth : sewing.bands) {
+    Json& list = json["bands"].emplace_back(Json::array());
+    for (const scene::BandDescription& band : ofCloth) {
+      put(list.emplace_back(), band);
+    }
+  }
+}
+
 template <typename T>
 void put(Json& json, const T& value) {
   json = value;
@@ -222,6 +256,36 @@ void take(const Json& json, std::vector<scene::PinPath>& paths) {
       take(frame.at("rotation"), key.rotation);
     }
     path.motion.loop = entry.at("loop").get<bool>();
+  }
+}
+
+void take(const Json& json, scene::SeamDescription& seam) {
+  for (std::size_t i = 0; i < seam.sides.size(); ++i) {
+    const Json& entry = json.at("sides").at(i);
+    seam.sides[i].cloth = entry.at("cloth").get<std::string>();
+    seam.sides[i].vertices = entry.at("vertices").get<std::vector<int>>();
+    take(entry.at("nearest"), seam.sides[i].nearest);
+  }
+  seam.pairs = json.at("pairs").get<std::vector<std::array<int, 2>>>();
+  seam.duration = json.at("duration").get<double>();
+  seam.isReversed = json.at("reversed").get<bool>();
+}
+
+void take(const Json& json, scene::BandDescription& band) {
+  take(json.at("nearest"), band.nearest);
+  band.vertices = json.at("vertices").get<std::vector<int>>();
+  band.length = json.at("length").get<double>();
+}
+
+void take(const Json& json, scene::Sewing& sewing) {
+  for (const Json& entry : json.at("seams")) {
+    take(entry, sewing.seams.emplace_back());
+  }
+  for (const Json& list : json.at("bands")) {
+    std::vector<scene::BandDescription>& ofCloth = sewing.bands.emplace_back();
+    for (const Json& entry : list) {
+      take(entry, ofCloth.emplace_back());
+    }
   }
 }
 

@@ -1,5 +1,6 @@
 #include "messages/sim_error_text.hpp"
 
+#include "messages/sentence_error.hpp"
 #include "sim/solvers/solver.hpp"
 
 #include <fmt/core.h>
@@ -85,6 +86,9 @@ text::Sentence takesSpringsOnly(std::string_view setting, std::string_view solve
 }
 
 text::Sentence sentenceOf(const std::exception& error) {
+  if (const auto* refusal = dynamic_cast<const SentenceError*>(&error)) {
+    return refusal->sentence();
+  }
   if (const auto* fault = dynamic_cast<const sim::ClothModelError*>(&error)) {
     return inWords(*fault);
   }

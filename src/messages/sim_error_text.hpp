@@ -17,7 +17,7 @@ namespace drape::messages {
 /// @param setting the key of the setting that names it
 [[nodiscard]] text::Sentence takesSpringsOnly(std::string_view setting, std::string_view solver);
 
-/// The message of an exception for the user: the sentence of a SimError, what() of any other,
+/// The message of an exception for the user: the sentence of a SimError or a SentenceError, what() of any other,
 /// which is translated where a catalogue has it. messageOf is in English.
 [[nodiscard]] text::Sentence sentenceOf(const std::exception& error);
 [[nodiscard]] std::string messageOf(const std::exception& error);

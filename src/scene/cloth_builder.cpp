@@ -2,8 +2,8 @@
 
 #include "messages/error.hpp"
 #include "messages/sim_error_text.hpp"
-#include "scene/boundary_loops.hpp"
 #include "scene/cloth_material.hpp"
+#include "scene/elastic_bands.hpp"
 #include "scene/grid_mesh.hpp"
 #include "scene/mass.hpp"
 #include "scene/mesh_file.hpp"
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -148,30 +147,6 @@ void addSummary(const std::string& cloth, const io::MeshSummary& own, io::MeshSu
   }
 }
 
-/// The open border that comes nearest to the point of each band.
-std::vector<ElasticBand> bandsOf(const ClothDescription& description, const sim::ClothMesh& mesh) {
-  std::vector<ElasticBand> bands;
-  if (description.bands.empty()) {
-    return bands;
-  }
-  const ClothPieces pieces = findPieces(mesh);
-  for (const BandDescription& band : description.bands) {
-    const auto distance = [&](const BoundaryLoop& loop) {
-      double minDistance = std::numeric_limits<double>::max();
-      for (const int vertex : loop.vertices) {
-        minDistance = std::min(minDistance, (mesh.positions[vertex] - band.nearest).squaredNorm());
-      }
-      return minDistance;
-    };
-    const auto nearest = std::ranges::min_element(pieces.loops, {}, distance);
-    if (nearest == pieces.loops.end()) {
-      throw messages::InputError(placed(band.where, "this cloth has no open border, so it can have no elastic band"));
-    }
-    bands.push_back({nearest->vertices, band.length});
-  }
-  return bands;
-}
-
 /// The positions in the size of a placement.
 std::vector<Vec3> sized(std::vector<Vec3> positions, double scale) {
   for (Vec3& position : positions) {
@@ -199,7 +174,7 @@ ClothPart partFor(const ClothDescription& description, const Source& source, con
   part.scale = description.placement.scale;
   part.name = description.name;
   part.own = description.own;
-  part.bands = bandsOf(description, source.mesh.cloth);
+  part.bands = bandsOf(description.bands, source.mesh.cloth);
   part.firstVertex = static_cast<int>(joined.mesh.positions.size());
   part.vertexCount = static_cast<int>(source.mesh.cloth.positions.size());
   part.firstTriangle = static_cast<int>(joined.mesh.triangles.size());

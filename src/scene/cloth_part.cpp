@@ -15,6 +15,14 @@ ClothPart wholeCloth(const sim::ClothModel& model, PatternUvs uvs) {
   return cloth;
 }
 
+const ClothPart& clothWith(int vertex, std::span<const ClothPart> cloths) {
+  std::size_t index = 0;
+  while (index + 1 < cloths.size() && vertex >= cloths[index + 1].firstVertex) {
+    ++index;
+  }
+  return cloths[index];
+}
+
 settings::Settings settingsOf(std::span<const OwnSetting> own, settings::Settings scene) {
   for (const OwnSetting& setting : own) {
     settings::assignSetting(scene, *setting.info, setting.value);

@@ -19,10 +19,11 @@ struct OwnSetting {
   settings::SettingValue value;                 ///< within the range of the setting
 };
 
-/// An open border of a cloth that is sewn to an elastic band, as at a waist.
+/// An open border of a cloth, or a part of it, that is sewn to an elastic band, as at a waist.
 struct ElasticBand {
-  std::vector<int> vertices;  ///< of the border, in order; it is closed. Counted from the cloth's first one
+  std::vector<int> vertices;  ///< of the border, in order. Counted from the cloth's first one
   double length = 1.0;        ///< the band's rest length over that of the border [-]
+  bool isClosed = true;       ///< whether it goes from the last vertex back to the first one
 };
 
 /// A cloth of a scene: its vertices and triangles in the model of the scene, and what it has for itself.
@@ -44,6 +45,9 @@ struct ClothPart {
 
 /// The only cloth of a model.
 [[nodiscard]] ClothPart wholeCloth(const sim::ClothModel& model, PatternUvs uvs = {});
+
+/// The cloth with a vertex of the model. @param cloths all of them
+[[nodiscard]] const ClothPart& clothWith(int vertex, std::span<const ClothPart> cloths);
 
 /// The settings that count for a cloth: those of the scene with its own.
 [[nodiscard]] settings::Settings settingsOf(std::span<const OwnSetting> own, settings::Settings scene);

@@ -1,26 +1,43 @@
 #include "scene/elastic_bands.hpp"
 
+#include "messages/sentence_error.hpp"
+#include "scene/border_finder.hpp"
+#include "scene/mesh_file.hpp"
+
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace drape::scene {
 namespace {
 
-/// The factors on the edges of bands, by their vertices in ascending order.
-using BandEdges = std::map<std::pair<int, int>, double>;
+/// The factors on the edges of bands.
+using BandEdges = std::map<BandEdge, double>;
 
 BandEdges bandEdgesOf(const ClothPart& cloth) {
   BandEdges edges;
   for (const ElasticBand& band : cloth.bands) {
-    for (std::size_t i = 0; i < band.vertices.size(); ++i) {
-      const int a = cloth.firstVertex + band.vertices[i];
-      const int b = cloth.firstVertex + band.vertices[(i + 1) % band.vertices.size()];
-      edges[std::minmax(a, b)] = band.length;
+    for (const BandEdge& edge : edgesOf(band, cloth.firstVertex)) {
+      edges[edge] = band.length;
     }
   }
   return edges;
+}
+
+/// The border of a band by the indices of the mesh. Throws InputError without the place in the file.
+BorderPath borderOf(const BandDescription& band, const BorderFinder& borders) {
+  if (band.vertices.empty()) {
+    return {.vertices = borders.nearestBorder(band.nearest), .isClosed = true};
+  }
+  for (const int vertex : band.vertices) {
+    if (vertex < 0 || vertex >= borders.vertexCount()) {
+      throw messages::SentenceError(text::Sentence("there is no vertex {} in this cloth: it has {}, counted from 0",
+                                                   vertex, borders.vertexCount()));
+    }
+  }
+  return borders.pathThrough(band.vertices);
 }
 
 /// Scales a triangle along the direction of one of its sides.
@@ -33,6 +50,41 @@ void scaleAlong(std::size_t side, double factor, sim::fabric::RestTriangle& tria
 }
 
 }  // namespace
+
+std::vector<BandEdge> edgesOf(const ElasticBand& band, int firstVertex) {
+  std::vector<BandEdge> edges;
+  const std::size_t count = band.vertices.size();
+  for (std::size_t i = 0; i + (band.isClosed ? 0 : 1) < count; ++i) {
+    edges.emplace_back(std::minmax(firstVertex + band.vertices[i], firstVertex + band.vertices[(i + 1) % count]));
+  }
+  return edges;
+}
+
+std::vector<ElasticBand> bandsOf(std::span<const BandDescription> descriptions, const sim::ClothMesh& mesh) {
+  std::vector<ElasticBand> bands;
+  if (descriptions.empty()) {
+    return bands;
+  }
+  const BorderFinder borders(mesh);
+  std::set<BandEdge> taken;
+  for (const BandDescription& description : descriptions) {
+    try {
+      const BorderPath border = borderOf(description, borders);
+      bands.push_back({border.vertices, description.length, border.isClosed});
+      for (const BandEdge& edge : edgesOf(bands.back(), 0)) {
+        if (!taken.insert(edge).second) {
+          throw messages::SentenceError(text::Sentence("there is an elastic band along this border already"));
+        }
+      }
+    } catch (const messages::InputError& error) {
+      if (description.where.empty()) {
+        throw;
+      }
+      throw messages::InputError(placed(description.where, error.what()));
+    }
+  }
+  return bands;
+}
 
 bool haveBands(std::span<const ClothPart> cloths) {
   return std::ranges::any_of(cloths, [](const ClothPart& cloth) { return !cloth.bands.empty(); });

@@ -1,13 +1,24 @@
 #pragma once
 
-#include "scene/cloth_part.hpp"
+#include "scene/scene.hpp"
 #include "sim/fabric/rest_shape.hpp"
 
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace drape::scene {
+
+/// The bands of a cloth. Throws InputError for a cloth without an open border, for vertices that are not on one, and
+/// for two bands along the same edge. @param mesh of this cloth alone, without its placement
+[[nodiscard]] std::vector<ElasticBand> bandsOf(std::span<const BandDescription> bands, const sim::ClothMesh& mesh);
+
+/// The vertices of an edge, in ascending order.
+using BandEdge = std::pair<int, int>;
+
+/// The edges of a band. @param firstVertex of its cloth
+[[nodiscard]] std::vector<BandEdge> edgesOf(const ElasticBand& band, int firstVertex);
 
 /// Whether a cloth has an elastic band.
 [[nodiscard]] bool haveBands(std::span<const ClothPart> cloths);

@@ -131,8 +131,19 @@ struct SceneParts {
 struct BandDescription {
   Vec3 nearest = Vec3::Zero();  ///< the band is along the border that comes nearest to this point [m]
   double length = 1.0;          ///< its rest length over that of the border [-]
-  std::string where;            ///< file and line, for messages
+  std::string where = {};       ///< file and line, for messages
+  /// Instead of `nearest`, by index: a vertex of the border, or the points of a part of it as in BorderDescription.
+  std::vector<int> vertices = {};
+
+  /// Without the place in the file.
+  friend bool operator==(const BandDescription& a, const BandDescription& b) {
+    return a.nearest == b.nearest && a.length == b.length && a.vertices == b.vertices;
+  }
 };
+
+/// The range of the length of a band [-].
+inline constexpr double minBandLength = 0.3;
+inline constexpr double maxBandLength = 1.5;
 
 /// A cloth as it is written in a scene file: the table [cloth], or one of the tables [[cloths]].
 struct ClothDescription {
@@ -156,6 +167,8 @@ struct BorderDescription {
   std::string cloth;          ///< its name; empty: the only cloth
   std::vector<int> vertices;  ///< the points by index, or
   std::vector<Vec3> nearest;  ///< as the vertices of the border that are nearest to points of the rest shape [m]
+
+  bool operator==(const BorderDescription&) const = default;
 };
 
 /// A seam as it is written in a scene file: one table of [[seams]].
@@ -165,7 +178,17 @@ struct SeamDescription {
   std::vector<std::array<int, 2>> pairs;  ///< vertices by index; empty: the pairs follow from the sides
   double duration = 1.0;                  ///< [s]
   std::string where;                      ///< file and line, for messages
+  bool isReversed = false;                ///< whether the second side runs the other way
+
+  /// Without the place in the file.
+  friend bool operator==(const SeamDescription& a, const SeamDescription& b) {
+    return a.sides == b.sides && a.pairs == b.pairs && a.duration == b.duration && a.isReversed == b.isReversed;
+  }
 };
+
+/// The range of the duration of a seam [s].
+inline constexpr double minSeamDuration = 0.02;
+inline constexpr double maxSeamDuration = 600.0;
 
 /// A scene as it is written in its file (docs/guide/scenes.md), before anything is built.
 struct SceneDescription {
@@ -209,6 +232,8 @@ struct Scene {
   SceneDescription description;
   settings::Settings settings;  ///< the settings with which it was built
   std::shared_ptr<const sim::ClothModel> model;
+  /// One per vertex, without the placements of the cloths [m]: seams and elastic bands refer to them.
+  std::vector<Vec3> restPositions;
   sim::ClothState start;
   std::shared_ptr<const std::vector<sim::Seam>> seams = std::make_shared<std::vector<sim::Seam>>();  ///< never null
   io::RenderMesh renderMesh;

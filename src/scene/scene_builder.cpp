@@ -37,7 +37,9 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   JoinedCloths joined = joinCloths(description, settings, watch.part(0.0, meshIsRead));
   watch.tell(meshIsRead, "Building");
   scene->model = modelOf(joined, settings);
-  scene->seams = std::make_shared<const std::vector<sim::Seam>>(seamsOf(description.seams, joined, *scene->model));
+  scene->seams = std::make_shared<const std::vector<sim::Seam>>(
+      seamsOf(description.seams, joined.mesh, joined.cloths, *scene->model));
+  scene->restPositions = std::move(joined.mesh.positions);
   watch.tell(0.95, "Building");
   scene->start = sim::stateAtRest(std::move(joined.start));
   scene->renderMesh = std::move(joined.renderMesh);

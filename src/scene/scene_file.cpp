@@ -22,13 +22,17 @@ constexpr double manyDegrees = 1e6;
 constexpr std::size_t maxCloths = 64;
 
 BandDescription readBand(const TomlReader& reader) {
-  reader.allowOnly({"nearest", "length"});
+  constexpr std::size_t maxPoints = 3;
+  reader.allowOnly({"nearest", "vertices", "length"});
   const std::optional<Vec3> nearest = reader.vector("nearest");
-  const std::optional<double> length = reader.number("length", 0.3, 1.5);
-  if (!nearest || !length) {
-    reader.fail("a band needs nearest, a point at its border, and length, its rest length over that of the border");
+  const std::vector<int> vertices = reader.integers("vertices");
+  const std::optional<double> length = reader.number("length", minBandLength, maxBandLength);
+  if (nearest.has_value() != vertices.empty() || vertices.size() > maxPoints || !length) {
+    reader.fail(
+        "a band needs nearest, a point at its border, or vertices, one of the border or the two ends of a part of it; "
+        "and length, its rest length over that of the border");
   }
-  return {*nearest, *length, reader.place()};
+  return {nearest.value_or(Vec3::Zero()), *length, reader.place(), vertices};
 }
 
 /// Mesh, position, bands and pleats of a cloth. @param table "[cloth]" or "[[cloths]]", for messages

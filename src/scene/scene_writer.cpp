@@ -27,7 +27,9 @@ struct Writing {
   const std::filesystem::path& folder;
   WrittenScene& result;
   TomlText toml = {};
+  Sewing ofScene = sewingOf(scene.description);
 
+  [[nodiscard]] const Sewing& sewing() const { return now.sewing ? *now.sewing : ofScene; }
   [[nodiscard]] const SceneDescription& description() const { return scene.description; }
   [[nodiscard]] bool hasOwnPins() const { return now.pinned != scene.model->pinned || now.pinPaths != scene.pinPaths; }
   [[nodiscard]] bool hasSeveral() const {
@@ -129,6 +131,19 @@ std::vector<PinSelection> pinsNow(const Writing& writing, const ClothPart& cloth
   return groups;
 }
 
+void writeBands(const std::vector<BandDescription>& bands, TomlText& toml) {
+  std::string list;
+  for (const BandDescription& band : bands) {
+    const std::string border =
+        band.vertices.empty() ? "nearest = " + vectorText(band.nearest) : "vertices = " + listText(band.vertices);
+    list +=
+        fmt::format("{}{{ {}, length = {} }}", list.empty() ? "" : ", ", border, settings::formatValue(band.length));
+  }
+  if (!list.empty()) {
+    toml.value("bands", "[" + list + "]");
+  }
+}
+
 void writeCloth(Writing& writing, std::size_t index) {
   const ClothDescription& cloth = writing.description().cloths[index];
   TomlText& toml = writing.toml;
@@ -152,14 +167,7 @@ void writeCloth(Writing& writing, std::size_t index) {
     toml.value("pleats", fmt::format("{{ count = {}, gather = {} }}", cloth.pleats->count,
                                      settings::formatValue(cloth.pleats->gather)));
   }
-  if (!cloth.bands.empty()) {
-    std::string bands;
-    for (const BandDescription& band : cloth.bands) {
-      bands += fmt::format("{}{{ nearest = {}, length = {} }}", bands.empty() ? "" : ", ", vectorText(band.nearest),
-                           settings::formatValue(band.length));
-    }
-    toml.value("bands", "[" + bands + "]");
-  }
+  writeBands(writing.sewing().bands.at(index), toml);
 }
 
 void writeClothSettings(Writing& writing, const ClothDescription& cloth) {
@@ -277,7 +285,7 @@ std::string documentText(Writing& writing) {
     writing.toml.text("help", description.help);
   }
   writeCloths(writing);
-  for (const SeamDescription& seam : description.seams) {
+  for (const SeamDescription& seam : writing.sewing().seams) {
     writeSeam(seam, writing.toml);
   }
   writeCamera(writing.now.camera ? writing.now.camera : description.camera, writing.toml);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "scene/sewing.hpp"
 
 #include <filesystem>
 #include <string>
@@ -23,6 +24,7 @@ struct SceneNow {
   std::vector<PinPath> pinPaths;                    ///< of pins that move without a body
   std::vector<BodyNow> bodies;                      ///< one per body of the scene, or none: they are as in the scene
   std::optional<CameraPose> camera = std::nullopt;  ///< the present view; empty: as in the scene
+  std::optional<Sewing> sewing = std::nullopt;      ///< seams and elastic bands; empty: as in the scene
 };
 
 /// A scene as it was built, without changes.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "scene/cloth_builder.hpp"
 #include "scene/scene.hpp"
 #include "sim/model/seams.hpp"
 
@@ -9,9 +8,13 @@
 
 namespace drape::scene {
 
-/// The seams of a scene, between vertices of its model. Throws InputError for a cloth or a vertex that does not exist,
-/// a point that is not on an open border, a pair that cannot be sewn, and cloths of different fabrics.
-[[nodiscard]] std::vector<sim::Seam> seamsOf(std::span<const SeamDescription> seams, const JoinedCloths& joined,
-                                             const sim::ClothModel& model);
+/// Builds the seams of a scene, between vertices of its model. Throws InputError for a cloth or a vertex that does not
+/// exist, a point that is not on an open border, a pair that cannot be sewn, vertices that other seams join already,
+/// and cloths of different fabrics.
+/// @param mesh the cloths without their placements  @param before other seams of the scene
+/// @return `before` with the new ones
+[[nodiscard]] std::vector<sim::Seam> seamsOf(std::span<const SeamDescription> seams, const sim::ClothMesh& mesh,
+                                             std::span<const ClothPart> cloths, const sim::ClothModel& model,
+                                             std::vector<sim::Seam> before = {});
 
 }  // namespace drape::scene

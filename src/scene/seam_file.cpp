@@ -7,9 +7,6 @@
 namespace drape::scene {
 namespace {
 
-constexpr double minSeamDuration = 0.02;   // [s]
-constexpr double maxSeamDuration = 600.0;  // [s]
-
 BorderDescription readBorder(const TomlReader& reader) {
   reader.allowOnly({"cloth", "vertices", "nearest"});
   BorderDescription border{reader.text("cloth").value_or(""), reader.integers("vertices"), reader.vectors("nearest")};
@@ -36,11 +33,12 @@ std::string borderText(const BorderDescription& border) {
 }  // namespace
 
 SeamDescription readSeam(const TomlReader& reader) {
-  reader.allowOnly({"from", "to", "cloths", "pairs", "duration"});
+  reader.allowOnly({"from", "to", "cloths", "pairs", "duration", "reversed"});
   SeamDescription seam;
   seam.where = reader.place();
   seam.duration = reader.number("duration", minSeamDuration, maxSeamDuration).value_or(seam.duration);
   seam.pairs = reader.pairs("pairs");
+  seam.isReversed = reader.flag("reversed").value_or(false);
   const auto from = reader.table("from");
   const auto to = reader.table("to");
   const std::vector<std::string> cloths = reader.texts("cloths");
@@ -58,6 +56,9 @@ SeamDescription readSeam(const TomlReader& reader) {
   if (seam.pairs.empty()) {
     reader.fail("seams.pairs is empty: a seam needs at least one pair of vertices");
   }
+  if (seam.isReversed) {
+    reader.fail("seams.reversed belongs to from and to; pairs have no direction");
+  }
   if (!cloths.empty() && cloths.size() != 2) {
     reader.fail("seams.cloths must be two names: those of the first and the second vertex of each pair");
   }
@@ -72,6 +73,9 @@ void writeSeam(const SeamDescription& seam, TomlText& toml) {
   if (seam.pairs.empty()) {
     toml.value("from", borderText(seam.sides[0]));
     toml.value("to", borderText(seam.sides[1]));
+    if (seam.isReversed) {
+      toml.flag("reversed", true);
+    }
   } else {
     if (!seam.sides[0].cloth.empty()) {
       toml.value("cloths", "[" + quotedText(seam.sides[0].cloth) + ", " + quotedText(seam.sides[1].cloth) + "]");

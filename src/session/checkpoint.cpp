@@ -71,7 +71,25 @@ std::uint64_t checksumOf(std::string_view bytes) {
   return sum;
 }
 
-/// Of everything that the vertices of a state belong to: triangles, start, pins and bodies.
+/// Of seams and elastic bands that the scene does not have.
+void addSewing(const Simulation& simulation, sim::Fingerprint& print) {
+  if (simulation.sewing() == scene::sewingOf(simulation.scene().description)) {
+    return;
+  }
+  for (const sim::Seam& seam : *simulation.cloth().seams()) {
+    print.add(seam.start);
+    print.add(seam.duration);
+    for (const sim::SeamPair& pair : seam.pairs) {
+      print.add(static_cast<std::uint64_t>(pair.a));
+      print.add(static_cast<std::uint64_t>(pair.b));
+    }
+  }
+  for (const sim::Spring& spring : simulation.cloth().pieces()->springs) {
+    print.add(spring.restLength);
+  }
+}
+
+/// Of everything that the vertices of a state belong to: triangles, start, pins, bodies, and the user's sewing.
 std::uint64_t fingerprintOf(const Simulation& simulation) {
   sim::Fingerprint print;
   const sim::ClothModel& model = *simulation.cloth().pieces();
@@ -87,6 +105,7 @@ std::uint64_t fingerprintOf(const Simulation& simulation) {
     print.add(static_cast<std::uint64_t>(pinned ? 1 : 0));
   }
   print.add(static_cast<std::uint64_t>(simulation.bodies().bodies().size()));
+  addSewing(simulation, print);
   return print.value();
 }
 
@@ -175,7 +194,7 @@ std::vector<std::string> continueFrom(std::string_view checkpoint, Simulation& s
   std::optional<sim::ClothState> state = sim::stateFromBytes(fields.text());
   if (fingerprint != fingerprintOf(simulation)) {
     throw messages::InputError(
-        "the checkpoint belongs to another mesh, start or pins than this scene (it was saved from '" + name +
+        "the checkpoint belongs to another mesh, start, pins or seams than this scene (it was saved from '" + name +
         "'). Give the same scene, --set and --jitter as then.");
   }
   if (!state || state->positions.size() != simulation.state().positions.size()) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.hpp"
+#include "scene/sewing.hpp"
 #include "settings/settings_table.hpp"
 
 #include <cstdint>
@@ -57,6 +57,11 @@ struct SetPinPathsCommand {
   /// there already.
   bool moves = true;
 };
+/// Replaces the seams and the elastic bands. New seams are drawn together from now on. One that is no longer among them
+/// opens.
+struct SetSewingCommand {
+  scene::Sewing sewing;
+};
 /// Moves the cloth until it no longer intersects itself, and brings it to rest there. Pins stay where they are.
 struct UntangleCommand {};
 /// Puts the cloth at rest into other positions, as dressing a body does.
@@ -107,11 +112,12 @@ struct LoadSceneCommand {
 };
 
 /// All commands to a running simulation.
-using Command = std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
-                             ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand,
-                             SetPinsCommand, PlacePinsCommand, MovePinsCommand, SetPinPathsCommand, UntangleCommand,
-                             PlaceClothCommand, SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetFigureCommand,
-                             SetCostBudgetCommand, ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
+using Command =
+    std::variant<SetSettingCommand, UseFabricCommand, SetOwnFabricsCommand, PauseCommand, SingleStepCommand,
+                 ResetCommand, AttachCommand, MoveAttachmentCommand, DetachCommand, TogglePinCommand, SetPinsCommand,
+                 PlacePinsCommand, MovePinsCommand, SetPinPathsCommand, SetSewingCommand, UntangleCommand,
+                 PlaceClothCommand, SwitchBodyCommand, SetSurfaceCommand, MoveBodyCommand, SetFigureCommand,
+                 SetCostBudgetCommand, ObserveCommand, GoToCommand, StepBackCommand, LoadSceneCommand>;
 
 /// A command, and the number of steps before it took effect. A log of these reproduces a session.
 struct LoggedCommand {

@@ -20,7 +20,9 @@ void Ghost::reset(const sim::ClothState& start) {
 
 /// Takes the pieces and the seams of the first cloth, with the welds of the ghost.
 void Ghost::useCloth(const sim::SewnCloth& first) {
-  if (cloth_.pieces() != first.pieces()) {
+  if (cloth_.seams() != first.seams() && cloth_.pieces()) {
+    cloth_.sew(first.pieces(), first.seams(), state_);
+  } else if (cloth_.pieces() != first.pieces()) {
     cloth_ = first;
   }
   cloth_.follow(state_);

@@ -189,7 +189,7 @@ void Simulation::continueFrom(sim::ClothState state, std::int64_t step) {
 }
 
 RecordedState Simulation::recorded() const {
-  return {stepIndex_, state_, ghost_ ? std::optional(ghost_->state()) : std::nullopt, bodies_.shifts()};
+  return {stepIndex_, state_, ghost_ ? std::optional(ghost_->state()) : std::nullopt, bodies_.shifts(), cloth_.seams()};
 }
 
 /// The figures were where the recorded state has them. From there they do what the user chose since.
@@ -200,6 +200,12 @@ void Simulation::continueFrom(const RecordedState& recorded) {
     chosen.push_back(figureAt(i));
   }
   const sim::ClothState ghost = recorded.ghost.value_or(recorded.state);
+  // A seam that was not there then is drawn together from there.
+  startSeams([&, known = recorded.seams](const sim::Seam& seam) {
+    const auto end = known ? known->end() : std::vector<sim::Seam>::const_iterator();
+    const auto found = known ? std::ranges::find(*known, seam.pairs, &sim::Seam::pairs) : end;
+    return found == end ? recorded.state.time : found->start;
+  });
   continueFrom(recorded.state, recorded.step);
   bodies_.resume(state_.time, bodies);
   for (std::size_t i = 0; i < chosen.size(); ++i) {

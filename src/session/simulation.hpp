@@ -74,6 +74,8 @@ class Simulation {
   [[nodiscard]] const sim::ClothState& state() const { return state_; }
   [[nodiscard]] const sim::contact::BodyWorld& bodies() const { return bodies_; }
   [[nodiscard]] const settings::Settings& settings() const { return settings_; }
+  /// The seams and the elastic bands in force.
+  [[nodiscard]] const scene::Sewing& sewing() const { return *sewing_; }
   [[nodiscard]] std::int64_t stepIndex() const { return stepIndex_; }
   [[nodiscard]] bool paused() const { return paused_; }
   /// Snapshot::pictureVersion.
@@ -111,6 +113,7 @@ class Simulation {
   void on(const PlacePinsCommand& command);
   void on(const MovePinsCommand& command);
   void on(const SetPinPathsCommand& command);
+  void on(const SetSewingCommand& command);
   void on(const UntangleCommand& command);
   void on(const PlaceClothCommand& command);
   void on(const SwitchBodyCommand& command);
@@ -125,6 +128,10 @@ class Simulation {
 
   /// The pieces of the cloth with other pins, masses or materials.
   void changeCloth(std::shared_ptr<const sim::ClothModel> pieces);
+  /// The seams of another sewing; those that stay keep their start. Throws InputError.
+  [[nodiscard]] std::vector<sim::Seam> seamsFor(const scene::Sewing& sewing, const sim::ClothModel& pieces) const;
+  /// Gives the seams other starts [s], one each.
+  void startSeams(const std::function<double(const sim::Seam& seam)>& startOf);
   /// Takes the model for the state, which was replaced.
   void followState();
   void closeSeams();
@@ -172,6 +179,8 @@ class Simulation {
   std::function<void()> onProgress_;
   sim::contact::BodyWorld bodies_;
   std::shared_ptr<const std::vector<scene::PinPath>> pinPaths_;  // never null
+  std::shared_ptr<const scene::Sewing> sewing_;                  // never null
+  std::vector<scene::ClothPart> cloths_;                         // those of the scene, with the bands of sewing_
   std::vector<sim::MovedPin> movedPins_;                         // in the next step
   std::int64_t stepIndex_ = 0;                                   // since the last reset
   std::int64_t stepsTaken_ = 0;                                  // since the scene was loaded

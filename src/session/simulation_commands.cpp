@@ -3,6 +3,7 @@
 #include "messages/sim_error_text.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/mass.hpp"
+#include "scene/sewing.hpp"
 #include "session/pin_places.hpp"
 #include "session/solver_warning.hpp"
 #include "settings/surface_fields.hpp"
@@ -41,11 +42,11 @@ void Simulation::on(const SetOwnFabricsCommand& command) {
 void Simulation::useSettings(settings::Settings changed, settings::SettingEffect effect) {
   requireSolversForMaterial(changed);
   if (effect == settings::SettingEffect::Mass) {
-    const auto weighed = scene::withMasses(*cloth_.pieces(), scene_->cloths, changed);
+    const auto weighed = scene::withMasses(*cloth_.pieces(), cloths_, changed);
     // A fabric's highest frequency depends on the masses.
-    changeCloth(scene::withElasticity(*weighed, scene_->cloths, changed));
+    changeCloth(scene::withElasticity(*weighed, cloths_, changed));
   } else if (effect == settings::SettingEffect::Fabric) {
-    changeCloth(scene::withMaterial(*cloth_.pieces(), scene_->cloths, changed));
+    changeCloth(scene::withMaterial(*cloth_.pieces(), cloths_, changed));
   }
   settings_ = std::move(changed);
   timeline_.limit(settings_.timeline.memory);
@@ -65,6 +66,7 @@ void Simulation::on(const SingleStepCommand&) {
 }
 
 void Simulation::on(const ResetCommand&) {
+  startSeams([](const sim::Seam& /*seam*/) { return 0.0; });
   state_ = scene_->start;
   if (placedStart_) {
     state_ = sim::stateAtRest(*placedStart_);
@@ -232,6 +234,50 @@ void Simulation::on(const SetPinPathsCommand& command) {
   pinPaths_ = std::make_shared<const std::vector<scene::PinPath>>(command.paths);
 }
 
+void Simulation::on(const SetSewingCommand& command) {
+  std::shared_ptr<const sim::ClothModel> pieces = cloth_.pieces();
+  std::vector<scene::ClothPart> cloths = cloths_;
+  if (command.sewing.bands != sewing_->bands) {
+    cloths = scene::withBands(*scene_, command.sewing.bands);
+    pieces = scene::withBandsOf(cloths, *pieces, settings_);
+  }
+  if (command.sewing.seams == sewing_->seams) {
+    changeCloth(std::move(pieces));
+  } else {
+    auto seams = std::make_shared<const std::vector<sim::Seam>>(seamsFor(command.sewing, *pieces));
+    cloth_.sew(std::move(pieces), std::move(seams), state_);
+    model_ = cloth_.model();
+  }
+  cloths_ = std::move(cloths);
+  sewing_ = std::make_shared<const scene::Sewing>(command.sewing);
+  message_ = {};
+}
+
+std::vector<sim::Seam> Simulation::seamsFor(const scene::Sewing& sewing, const sim::ClothModel& pieces) const {
+  std::vector<sim::Seam> seams;
+  for (const scene::SeamDescription& description : sewing.seams) {
+    const auto known = std::ranges::find(sewing_->seams, description);
+    if (known == sewing_->seams.end()) {
+      sim::Seam seam = scene::seamOf(description, *scene_, pieces, seams);
+      seam.start = state_.time;
+      seams.push_back(std::move(seam));
+    } else {
+      seams.push_back((*cloth_.seams())[known - sewing_->seams.begin()]);
+    }
+  }
+  return seams;
+}
+
+void Simulation::startSeams(const std::function<double(const sim::Seam& seam)>& startOf) {
+  std::vector<sim::Seam> seams = *cloth_.seams();
+  for (sim::Seam& seam : seams) {
+    seam.start = startOf(seam);
+  }
+  if (!std::ranges::equal(seams, *cloth_.seams(), {}, &sim::Seam::start, &sim::Seam::start)) {
+    cloth_.sew(cloth_.pieces(), std::make_shared<const std::vector<sim::Seam>>(std::move(seams)), state_);
+  }
+}
+
 void Simulation::on(const SwitchBodyCommand& command) {
   bodies_.switchOn(requireBody(command.body), command.on);
 }
@@ -328,6 +374,8 @@ void Simulation::on(const LoadSceneCommand& command) {
   scene_ = command.scene;
   placedStart_.reset();
   pinPaths_ = std::make_shared<const std::vector<scene::PinPath>>(scene_->pinPaths);
+  sewing_ = std::make_shared<const scene::Sewing>(scene::sewingOf(scene_->description));
+  cloths_ = scene_->cloths;
   cloth_.use(scene_->model, scene_->seams);
   model_ = cloth_.model();
   settings_ = scene_->settings;

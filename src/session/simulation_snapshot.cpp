@@ -8,6 +8,9 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.positions = state_.positions;
   snapshot.placedStart = placedStart_;
   snapshot.pinPaths = pinPaths_;
+  snapshot.sewing = sewing_;
+  snapshot.seams = cloth_.seams();
+  snapshot.isWelded = cloth_.isWelded();
   snapshot.step = stepIndex_;
   snapshot.version = version_;
   snapshot.pictureVersion = pictureVersion_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/scene.hpp"
+#include "scene/sewing.hpp"
 #include "session/stretch_cause.hpp"
 #include "session/timeline.hpp"
 #include "sim/contact/exact/intersection_contours.hpp"
@@ -55,6 +55,11 @@ struct Snapshot {
   std::shared_ptr<const std::vector<Vec3>> placedStart;
   /// Of pins that move without a body; never null.
   std::shared_ptr<const std::vector<scene::PinPath>> pinPaths = std::make_shared<std::vector<scene::PinPath>>();
+  /// The seams and the elastic bands in force; never null.
+  std::shared_ptr<const scene::Sewing> sewing = std::make_shared<scene::Sewing>();
+  /// The same seams by vertices of the model, and whether each of them is welded; never null.
+  std::shared_ptr<const std::vector<sim::Seam>> seams = std::make_shared<std::vector<sim::Seam>>();
+  std::vector<char> isWelded;
   std::int64_t step = 0;     ///< steps since the scene was loaded or reset
   std::int64_t version = 0;  ///< increases with every snapshot that differs from the one before
   /// Increases like `version`, but not while sleeping cloth only gets older: then nothing in the picture moves.

@@ -2,9 +2,11 @@
 
 #include "sim/contact/bodies/world.hpp"
 #include "sim/model/cloth_state.hpp"
+#include "sim/model/seams.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -15,7 +17,8 @@ struct RecordedState {
   std::int64_t step = 0;  ///< since the scene was loaded or reset
   sim::ClothState state;
   std::optional<sim::ClothState> ghost;
-  std::vector<sim::contact::BodyShift> bodies;  ///< one a body
+  std::vector<sim::contact::BodyShift> bodies;                    ///< one a body
+  std::shared_ptr<const std::vector<sim::Seam>> seams = nullptr;  ///< with the times of their starts; null: none
 };
 
 /// What the timeline holds, for the window.

@@ -89,7 +89,8 @@ std::shared_ptr<const std::vector<PinPlace>> pinsOf(const Snapshot& snapshot) {
 
 UserState userStateOf(const Snapshot& snapshot, std::shared_ptr<const std::vector<PinPlace>> pins) {
   UserState state{
-      snapshot.settings, std::move(pins), {}, snapshot.pinPaths, scene::placementsOf(snapshot.scene->description)};
+      snapshot.settings, std::move(pins), {}, snapshot.pinPaths, scene::placementsOf(snapshot.scene->description),
+      snapshot.sewing};
   for (const BodyStatus& body : snapshot.bodies) {
     state.bodies.push_back({body.on, body.targetShift, body.surface, body.figure});
   }
@@ -114,7 +115,7 @@ bool havePinsInCommon(const UserState& a, const UserState& b) {
 
 bool areSame(const UserState& a, const UserState& b) {
   return a.bodies == b.bodies && a.placements == b.placements && havePinsInCommon(a, b) && *a.pinPaths == *b.pinPaths &&
-         changedSettings(a.settings, b.settings).empty();
+         *a.sewing == *b.sewing && changedSettings(a.settings, b.settings).empty();
 }
 
 std::vector<Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {
@@ -148,6 +149,9 @@ std::vector<Command> settingCommands(const settings::Settings& from, const setti
 
 std::vector<Command> commandsBetween(const UserState& from, const UserState& to, const scene::Scene& scene) {
   std::vector<Command> commands = settingCommands(from.settings, to.settings);
+  if (*from.sewing != *to.sewing) {
+    commands.emplace_back(SetSewingCommand{*to.sewing});
+  }
   addPinCommands(from, to, scene, commands);
   if (*from.pinPaths != *to.pinPaths) {
     commands.emplace_back(SetPinPathsCommand{*to.pinPaths});
@@ -162,9 +166,9 @@ bool changesUserState(const Command& command) {
         using Type = std::decay_t<decltype(each)>;
         return std::is_same_v<Type, SetSettingCommand> || std::is_same_v<Type, UseFabricCommand> ||
                std::is_same_v<Type, TogglePinCommand> || std::is_same_v<Type, SetPinsCommand> ||
-               std::is_same_v<Type, SetPinPathsCommand> || std::is_same_v<Type, SwitchBodyCommand> ||
-               std::is_same_v<Type, SetSurfaceCommand> || std::is_same_v<Type, MoveBodyCommand> ||
-               std::is_same_v<Type, SetFigureCommand>;
+               std::is_same_v<Type, SetPinPathsCommand> || std::is_same_v<Type, SetSewingCommand> ||
+               std::is_same_v<Type, SwitchBodyCommand> || std::is_same_v<Type, SetSurfaceCommand> ||
+               std::is_same_v<Type, MoveBodyCommand> || std::is_same_v<Type, SetFigureCommand>;
       },
       command);
 }

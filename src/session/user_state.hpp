@@ -25,7 +25,8 @@ struct BodyChoice {
   bool operator==(const BodyChoice&) const = default;
 };
 
-/// All that a user can change about a running scene: its settings, pins, bodies and placements. Undo goes back to an
+/// All that a user can change about a running scene: its settings, pins, bodies, placements, seams and elastic
+/// bands. Undo goes back to an
 /// earlier one.
 struct UserState {
   settings::Settings settings;
@@ -33,6 +34,7 @@ struct UserState {
   std::vector<BodyChoice> bodies;                               ///< one per body of the scene
   std::shared_ptr<const std::vector<scene::PinPath>> pinPaths;  ///< of pins that move without a body; never null
   scene::Placements placements;                                 ///< of the cloths and the bodies of the scene
+  std::shared_ptr<const scene::Sewing> sewing;                  ///< seams and elastic bands; never null
 };
 
 /// The pinned vertices of a snapshot, in order.
@@ -50,7 +52,7 @@ struct UserState {
 /// Whether the same vertices are pinned.
 [[nodiscard]] bool havePinsInCommon(const UserState& a, const UserState& b);
 
-/// Whether settings, pinned vertices, bodies and placements are the same.
+/// Whether settings, pinned vertices, bodies, placements, seams and elastic bands are the same.
 [[nodiscard]] bool areSame(const UserState& a, const UserState& b);
 
 /// The commands from the settings `from` to `to` that need no rebuild of the scene. The values of a fabric change

@@ -233,6 +233,20 @@ TEST(CommandJson, keepsTheMotionAndTheMeasuresOfAFigure) {
   EXPECT_EQ(std::get<session::SetFigureCommand>(again.command).figure, command.figure);
 }
 
+TEST(CommandJson, keepsSeamsAndElasticBands) {
+  session::SetSewingCommand command;
+  scene::SeamDescription& seam = command.sewing.seams.emplace_back();
+  seam.sides = {scene::BorderDescription{"front", {0, 4, 8}, {}},
+                scene::BorderDescription{"back", {}, {Vec3(1.0 / 3.0, 0.0, -0.1)}}};
+  seam.isReversed = true;
+  command.sewing.seams.emplace_back().pairs = {{1, 2}, {3, 4}};
+  command.sewing.seams.back().duration = 1.0 / 7.0;
+  command.sewing.bands = {{}, {{.nearest = Vec3(0.1, 0.2, 0.3), .length = 0.7}, {.length = 0.9, .vertices = {5}}}};
+  const auto json = toJson({5, command});
+  const session::LoggedCommand again = commandFrom(nlohmann::ordered_json::parse(json.dump()));
+  EXPECT_EQ(std::get<session::SetSewingCommand>(again.command).sewing, command.sewing);
+}
+
 TEST(CommandJson, refusesAMotionThatDoesNotExist) {
   const char* text = R"({"step": 1, "command": "set_figure", "body": 0, "figure": {"motion": "fly", "speed": 1}})";
   EXPECT_THROW(static_cast<void>(commandFrom(nlohmann::ordered_json::parse(text))), messages::InputError);

@@ -66,6 +66,29 @@ TEST(ElasticBands, doNotCountAsStrain) {
   EXPECT_LT(sim::fabric::strainsAlongYarns(*banded, plain->restPositions).front(), 1e-3);
 }
 
+TEST(ElasticBands, areAlongAPartOfABorder) {
+  const auto banded = [](const std::string& bands) {
+    const auto file = std::filesystem::path(::testing::TempDir()) / "drape_band_part.toml";
+    std::ofstream(file) << "[cloth]\ngrid = \"vertical\"\nbands = " << bands
+                        << "\n[settings]\ngrid.resolution = 5\ngrid.width = 0.4\ngrid.height = 0.4\n";
+    const SceneDescription description = openScene(file.string());
+    std::filesystem::remove(file);
+    return buildScene(description, description.settings);
+  };
+  const auto lengthBetween = [](const Scene& scene, int a, int b) {
+    return scene.model->springs[sim::springBetween(scene.model->springEnds, a, b)].restLength;
+  };
+  const auto part = banded("[{ vertices = [0, 2, 4], length = 0.8 }, { vertices = [20, 24], length = 0.5 }]");
+  EXPECT_NEAR(lengthBetween(*part, 0, 1), 0.08, 1e-12);
+  EXPECT_NEAR(lengthBetween(*part, 23, 24), 0.05, 1e-12);
+  EXPECT_NEAR(lengthBetween(*part, 0, 5), 0.1, 1e-12) << "another side";
+  EXPECT_THROW((void)banded("[{ vertices = [7], length = 0.8 }]"), messages::InputError) << "it is inside";
+  EXPECT_THROW((void)banded("[{ vertices = [25], length = 0.8 }]"), messages::InputError) << "there is none";
+  EXPECT_THROW((void)banded("[{ vertices = [0], length = 0.8 }, { vertices = [20, 24], length = 0.5 }]"),
+               messages::InputError)
+      << "two bands along one edge";
+}
+
 TEST(ElasticBands, areRefusedWithoutABorderOrALength) {
   const auto problemOf = [](const std::string& keys) -> std::string {
     try {
@@ -75,6 +98,9 @@ TEST(ElasticBands, areRefusedWithoutABorderOrALength) {
     }
     return "";
   };
+  EXPECT_NE(problemOf("bands = [{ length = 0.8 }]").find("a band needs nearest"), std::string::npos);
+  EXPECT_NE(problemOf("bands = [{ nearest = [0, 1, 0], vertices = [1], length = 0.8 }]").find("a band needs nearest"),
+            std::string::npos);
   EXPECT_NE(problemOf("bands = [{ nearest = [0, 1, 0] }]").find("a band needs nearest"), std::string::npos);
   EXPECT_NE(problemOf("bands = [{ nearest = [0, 1, 0], length = 5 }]").find("length"), std::string::npos);
   SceneDescription closed = openSkirt(waistBand, "");

@@ -100,6 +100,33 @@ TEST(Seams, joinWholeBordersSoThatTheirFrontsAgree) {
   }
 }
 
+TEST(Seams, runTheOtherWayWhenReversed) {
+  const auto pairsOf = [](const std::string& front, const std::string& back, bool isReversed) {
+    const auto scene =
+        build(std::string(twoPieces) + "[[seams]]\nfrom = { cloth = \"front\", vertices = " + front +
+              " }\nto = { cloth = \"back\", vertices = " + back + " }\n" + (isReversed ? "reversed = true\n" : ""));
+    const WrittenScene written = writeScene(*scene, unchanged(*scene), std::filesystem::current_path());
+    EXPECT_EQ(build(written.text)->seams->front().pairs, scene->seams->front().pairs) << written.text;
+    return scene->seams->front().pairs;
+  };
+  EXPECT_EQ(pairsOf("[0, 20]", "[4, 24]", true), pairsOf("[0, 20]", "[24, 4]", false));
+  const auto along = pairsOf("[0]", "[4]", false);
+  const auto against = pairsOf("[0]", "[4]", true);
+  EXPECT_EQ(against.front(), along.front()) << "both begin at the given vertices";
+  EXPECT_EQ(against[1].a, along[1].a);
+  EXPECT_EQ(against[1].b, along.back().b);
+}
+
+TEST(Seams, leaveTheCommonEndOfADartAlone) {
+  const auto scene = build(std::string(twoPieces) +
+                           "[[seams]]\nfrom = { cloth = \"front\", vertices = [0, 4] }\n"
+                           "to = { cloth = \"front\", vertices = [20, 0] }\nreversed = true\n");
+  const std::vector<sim::SeamPair>& pairs = scene->seams->front().pairs;
+  ASSERT_EQ(pairs.size(), 4U);
+  EXPECT_EQ(pairs.front(), (sim::SeamPair{1, 5}));
+  EXPECT_EQ(pairs.back(), (sim::SeamPair{4, 20}));
+}
+
 TEST(Seams, pairVerticesByTheShareOfTheLength) {
   std::string finer = twoPieces;
   finer.insert(finer.find("\n[settings]"), "settings = { \"grid.resolution\" = 9 }\n");
@@ -161,6 +188,8 @@ TEST(Seams, areRefusedWithAReason) {
       "are not on the same open border");
   expectRefused("[[seams]]\ncloths = [\"front\", \"front\"]\npairs = [[3, 3]]\n", "cannot be sewn to itself");
   expectRefused("[[seams]]\ncloths = [\"front\", \"front\"]\npairs = [[0, 1]]\n", "two corners of one triangle");
+  expectRefused(cloths + "pairs = [[0, 4]]\n" + cloths + "pairs = [[0, 4]]\n", "join these vertices already");
+  expectRefused(cloths + "pairs = [[0, 4]]\nreversed = true\n", "reversed");
 }
 
 TEST(Seams, areRefusedBetweenPins) {

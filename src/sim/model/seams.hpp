@@ -19,7 +19,8 @@ struct SeamPair {
 /// simulation: a seam is welded in those states in which its pairs coincide (isWelded).
 struct Seam {
   std::vector<SeamPair> pairs;
-  double duration = 1.0;  ///< from the start of the simulation until it is closed, if nothing is in its way [s]
+  double duration = 1.0;  ///< from its start until it is closed, if nothing is in its way [s]
+  double start = 0.0;     ///< time from which it is drawn together [s]
 };
 
 /// Whether both vertices of each pair are at the same place, to the last bit.

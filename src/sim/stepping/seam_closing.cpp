@@ -35,7 +35,7 @@ void SeamClosing::plan(std::span<const Seam> seams, double timeStep, const Cloth
   pairs_.clear();
   timeStep_ = timeStep;
   for (const Seam& seam : seams) {
-    const double remaining = std::max({seam.duration - state.time, decayTime, timeStep});
+    const double remaining = std::max({seam.start + seam.duration - state.time, decayTime, timeStep});
     for (const SeamPair& pair : seam.pairs) {
       const Vec3 offset = state.positions[pair.a] - state.positions[pair.b];
       const double distance = offset.norm();

@@ -26,7 +26,7 @@ bool isClosed(const Seam& seam, double distance, std::span<const Vec3> positions
 
 /// The seams between the leaders, without pairs that are already one vertex.
 Seam betweenLeaders(const Seam& seam, std::span<const int> leaders) {
-  Seam result{.pairs = {}, .duration = seam.duration};
+  Seam result{.pairs = {}, .duration = seam.duration, .start = seam.start};
   for (const SeamPair& pair : seam.pairs) {
     const SeamPair joined{leaders[pair.a], leaders[pair.b]};
     if (joined.a != joined.b) {
@@ -49,6 +49,13 @@ void joinWelded(const ClothModel& pieces, std::span<const int> leaders, ClothSta
   }
 }
 
+/// Forgets what a state knows about triangles that have changed.
+void forgetMesh(ClothState& state) {
+  state.selfContact = nullptr;
+  state.hasNoSelfIntersection = false;
+  state.history.timeStep = 0.0;
+}
+
 }  // namespace
 
 void SewnCloth::use(std::shared_ptr<const ClothModel> pieces, std::shared_ptr<const std::vector<Seam>> seams) {
@@ -63,6 +70,29 @@ void SewnCloth::change(std::shared_ptr<const ClothModel> pieces) {
   }
   pieces_ = std::move(pieces);
   update(isWelded_);
+}
+
+void SewnCloth::sew(std::shared_ptr<const ClothModel> pieces, std::shared_ptr<const std::vector<Seam>> seams,
+                    ClothState& state) {
+  if (seams && !seams->empty()) {
+    static_cast<void>(fabric::withWelds(*pieces, leadersOf(*seams, pieces->pinned)));
+  }
+  // The vertices of a seam that opens go on with their leaders.
+  carry(state);
+  spread<Vec3>(state.velocities);
+  pieces_ = std::move(pieces);
+  seams_ = std::move(seams);
+  update(weldsOf(state));
+  carry(state);
+  forgetMesh(state);
+}
+
+std::vector<char> SewnCloth::weldsOf(const ClothState& state) const {
+  std::vector<char> welds(seams_ ? seams_->size() : 0);
+  for (std::size_t s = 0; s < welds.size(); ++s) {
+    welds[s] = sim::isWelded((*seams_)[s], state.positions) ? 1 : 0;
+  }
+  return welds;
 }
 
 void SewnCloth::update(std::vector<char> isWelded) {
@@ -98,16 +128,13 @@ std::vector<int> SewnCloth::weldedTo(int vertex) const {
 
 StepParameters SewnCloth::acting(StepParameters parameters, double time) const {
   const bool closes = std::ranges::any_of(
-      open_, [&](const Seam& seam) { return !seam.pairs.empty() && time < maxDelay * seam.duration; });
+      open_, [&](const Seam& seam) { return !seam.pairs.empty() && time < seam.start + maxDelay * seam.duration; });
   parameters.gravity = closes ? 0.0 : parameters.gravity;
   return parameters;
 }
 
 void SewnCloth::follow(const ClothState& state) {
-  std::vector<char> welded(isWelded_.size());
-  for (std::size_t s = 0; s < welded.size(); ++s) {
-    welded[s] = sim::isWelded((*seams_)[s], state.positions) ? 1 : 0;
-  }
+  std::vector<char> welded = weldsOf(state);
   if (welded != isWelded_) {
     update(std::move(welded));
   }
@@ -124,10 +151,7 @@ bool SewnCloth::weld(double weldDistance, ClothState& state) {
     spread<Vec3>(state.velocities);
     update(std::move(welded));
     joinWelded(*pieces_, leaders_, state);
-    // The triangles have changed.
-    state.selfContact = nullptr;
-    state.hasNoSelfIntersection = false;
-    state.history.timeStep = 0.0;
+    forgetMesh(state);
   }
   carry(state);
   return changes;

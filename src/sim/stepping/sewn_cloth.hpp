@@ -25,11 +25,19 @@ class SewnCloth {
   /// if its seams could not be welded then.
   void change(std::shared_ptr<const ClothModel> pieces);
 
+  /// The same vertices and triangles with other seams. A welded seam that is no longer there opens. Throws
+  /// ClothModelError, and changes nothing, if its seams could not be welded then.
+  void sew(std::shared_ptr<const ClothModel> pieces, std::shared_ptr<const std::vector<Seam>> seams, ClothState& state);
+
   [[nodiscard]] bool hasSeams() const { return !isWelded_.empty(); }
   /// The cloth without any weld.
   [[nodiscard]] const std::shared_ptr<const ClothModel>& pieces() const { return pieces_; }
   /// The cloth as it is now.
   [[nodiscard]] const std::shared_ptr<const ClothModel>& model() const { return model_; }
+  /// All seams; null: none.
+  [[nodiscard]] const std::shared_ptr<const std::vector<Seam>>& seams() const { return seams_; }
+  /// Whether each of them is welded.
+  [[nodiscard]] const std::vector<char>& isWelded() const { return isWelded_; }
   /// The seams that are not welded, between vertices with triangles.
   [[nodiscard]] std::span<const Seam> openSeams() const { return open_; }
   /// The vertices that are welded to that one, and itself.
@@ -59,6 +67,8 @@ class SewnCloth {
 
  private:
   void update(std::vector<char> isWelded);
+  /// Whether each seam is welded in a state.
+  [[nodiscard]] std::vector<char> weldsOf(const ClothState& state) const;
 
   std::shared_ptr<const ClothModel> pieces_;
   std::shared_ptr<const std::vector<Seam>> seams_;
