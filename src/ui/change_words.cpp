@@ -74,6 +74,29 @@ void addPinPaths(const session::UserState& from, const session::UserState& to, s
   }
 }
 
+std::size_t bandCount(const scene::Sewing& sewing) {
+  std::size_t count = 0;
+  for (const auto& ofCloth : sewing.bands) {
+    count += ofCloth.size();
+  }
+  return count;
+}
+
+void addSewing(const session::UserState& from, const session::UserState& to, std::vector<Sentence>& changes) {
+  const scene::Sewing& before = *from.sewing;
+  const scene::Sewing& after = *to.sewing;
+  const auto add = [&](std::size_t earlier, std::size_t later, const char* added, const char* removed,
+                       const char* other) {
+    changes.emplace_back(later > earlier ? added : later < earlier ? removed : other);
+  };
+  if (before.seams != after.seams) {
+    add(before.seams.size(), after.seams.size(), "seam added", "seam removed", "other seams");
+  }
+  if (before.bands != after.bands) {
+    add(bandCount(before), bandCount(after), "elastic band added", "elastic band removed", "elastic band changed");
+  }
+}
+
 void addFigure(const std::string& name, const figure::FigureOptions& before, const figure::FigureOptions& after,
                std::vector<Sentence>& changes) {
   if (before.motion != after.motion) {
@@ -133,6 +156,7 @@ Sentence changeInWords(const session::UserState& from, const session::UserState&
   addSettings(from.settings, to.settings, changes);
   addPins(from, to, changes);
   addPinPaths(from, to, changes);
+  addSewing(from, to, changes);
   addPlacements(from, to, scene, changes);
   addBodies(from, to, scene, changes);
   constexpr std::size_t shownInFull = 2;

@@ -172,10 +172,12 @@ bool InteractionController::select(UiAction action, const session::Snapshot& sna
   switch (action) {
     case UiAction::SelectRectangle:
       placing_.end(output);
+      sewing_.end();
       selection_.use(SelectionMode::Rectangle);
       return true;
     case UiAction::SelectBorder:
       placing_.end(output);
+      sewing_.end();
       selection_.use(SelectionMode::Border);
       return true;
     case UiAction::PinSelected:
@@ -202,18 +204,35 @@ bool InteractionController::place(UiAction action, const session::Snapshot& snap
   }
   selection_.use(SelectionMode::Off);
   selection_.clear();
+  sewing_.end();
   placing_.next(snapshot, output);
   return true;
+}
+
+bool InteractionController::sew(UiAction action, UiOutput& output) {
+  if (action != UiAction::Sew && action != UiAction::SetBand) {
+    return false;
+  }
+  selection_.use(SelectionMode::Off);
+  selection_.clear();
+  placing_.end(output);
+  sewing_.start(action == UiAction::Sew ? SewingKind::Seam : SewingKind::Band);
+  return true;
+}
+
+std::optional<SewingView> InteractionController::sewingView(const session::Snapshot& snapshot) {
+  return sewing_.view(snapshot, GizmoPicture(camera_, view_), scale_);
 }
 
 std::optional<PlacingView> InteractionController::placingView(const session::Snapshot& snapshot) {
   return placing_.view(snapshot, GizmoPicture(camera_, view_), scale_);
 }
 
-/// Takes a handle of the gizmo, or turns or moves the view.
+/// Takes a handle of the gizmo, or turns or moves the view. In the mode Sew a press that does not move picks a border.
 void InteractionController::pressInPlace(const PressEvent& event, const session::Snapshot& snapshot) {
   pressed_ = event.position;
-  if (placing_.press(event.position, GizmoPicture(camera_, view_), snapshot, scale_)) {
+  pressedWithShift_ = event.shift;
+  if (placing_.isOn() && placing_.press(event.position, GizmoPicture(camera_, view_), snapshot, scale_)) {
     gesture_ = Placed{};
   } else if (event.shift) {
     gesture_ = Panning{};
@@ -227,6 +246,13 @@ void InteractionController::pressInPlace(const PressEvent& event, const session:
 void InteractionController::clickInPlace(const session::Snapshot& snapshot, UiOutput& output) {
   if ((mouse_ - pressed_).norm() < clickDistance) {
     placing_.click(mouse_, GizmoPicture(camera_, view_), snapshot, output);
+  }
+}
+
+/// A press that did not turn or move the view picks the border there.
+void InteractionController::clickInSewing(const session::Snapshot& snapshot) {
+  if ((mouse_ - pressed_).norm() < clickDistance) {
+    sewing_.click(mouse_, pressedWithShift_, snapshot, GizmoPicture(camera_, view_), scale_);
   }
 }
 
@@ -261,7 +287,7 @@ void InteractionController::on(const PressEvent& event, const session::Snapshot&
 }
 
 void InteractionController::pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
-  if (placing_.isOn()) {
+  if (placing_.isOn() || sewing_.isOn()) {
     pressInPlace(event, snapshot);
   } else if (selection_.mode() != SelectionMode::Off) {
     if (holdPins(event, snapshot)) {
@@ -359,6 +385,8 @@ void InteractionController::on(const ReleaseEvent& event, const session::Snapsho
       placing_.release(snapshot, output);
     } else if (std::holds_alternative<Orbiting>(gesture_) && placing_.isOn()) {
       clickInPlace(snapshot, output);
+    } else if (sewing_.isOn() && event.button == MouseButton::Left) {
+      clickInSewing(snapshot);
     }
     endGesture(output);
   }
@@ -368,6 +396,7 @@ void InteractionController::on(const MoveEvent& event, const session::Snapshot& 
   const Vec2 moved = (event.position - mouse_) / view_.height;
   mouse_ = event.position;
   placing_.hover(event.position);
+  sewing_.hover(event.position, view_.contains(event.position));
   if (std::holds_alternative<Placed>(gesture_)) {
     placing_.drag(event.position, GizmoPicture(camera_, view_), event.control);
   } else if (std::holds_alternative<Orbiting>(gesture_)) {
@@ -400,20 +429,7 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
   if (shortcut == nullptr || (event.repeated && !shortcut->repeats)) {
     return;
   }
-  if (event.key == Key::Escape && (holdsCloth() || holdsBody())) {
-    endGesture(output);
-    return;
-  }
-  if (event.key == Key::Escape && placing_.isOn()) {
-    if (!placing_.isDragging()) {
-      placing_.end(output);
-    }
-    endGesture(output);
-    return;
-  }
-  if (event.key == Key::Escape && selects()) {
-    endGesture(output);
-    select(UiAction::EndSelection, snapshot, output);
+  if (event.key == Key::Escape && leaveMode(snapshot, output)) {
     return;
   }
   if (event.key == Key::P && !event.control && !holdsCloth() && !selection_.vertices().empty()) {
@@ -421,10 +437,38 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
     return;
   }
   const auto* action = std::get_if<UiAction>(&shortcut->action);
-  if (action == nullptr ||
-      !(moveCamera(*action, snapshot) || select(*action, snapshot, output) || place(*action, snapshot, output))) {
+  if (action == nullptr || !(moveCamera(*action, snapshot) || select(*action, snapshot, output) ||
+                             place(*action, snapshot, output) || sew(*action, output))) {
     request(*shortcut, snapshot, output);
   }
+}
+
+/// What Esc does to gestures and modes. @return false if there are none
+bool InteractionController::leaveMode(const session::Snapshot& snapshot, UiOutput& output) {
+  if (holdsCloth() || holdsBody()) {
+    endGesture(output);
+    return true;
+  }
+  if (placing_.isOn()) {
+    if (!placing_.isDragging()) {
+      placing_.end(output);
+    }
+    endGesture(output);
+    return true;
+  }
+  if (sewing_.isOn()) {
+    endGesture(output);
+    if (!sewing_.cancel()) {
+      sewing_.end();
+    }
+    return true;
+  }
+  if (selects()) {
+    endGesture(output);
+    select(UiAction::EndSelection, snapshot, output);
+    return true;
+  }
+  return false;
 }
 
 void InteractionController::on(const FocusLostEvent& /*event*/, const session::Snapshot& /*snapshot*/,

@@ -3,6 +3,7 @@
 #include "render/camera.hpp"
 #include "session/snapshot.hpp"
 #include "ui/placing.hpp"
+#include "ui/sewing_mode.hpp"
 #include "ui/shortcuts.hpp"
 #include "ui/ui_output.hpp"
 #include "ui/vertex_selection.hpp"
@@ -88,6 +89,12 @@ class InteractionController {
   /// The mode Place, for the window; empty while it is off.
   [[nodiscard]] std::optional<PlacingView> placingView(const session::Snapshot& snapshot);
 
+  /// Starts the mode Sew when the action does that. False for other actions.
+  bool sew(UiAction action, UiOutput& output);
+  [[nodiscard]] SewingMode& sewing() { return sewing_; }
+  /// The mode Sew, for the window; empty while it is off.
+  [[nodiscard]] std::optional<SewingView> sewingView(const session::Snapshot& snapshot);
+
   /// Whether a gesture drags a body.
   [[nodiscard]] bool holdsBody() const { return std::holds_alternative<MovingBody>(gesture_); }
   [[nodiscard]] bool holdsCloth() const { return std::holds_alternative<Pulling>(gesture_); }
@@ -127,6 +134,8 @@ class InteractionController {
   void pressLeft(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output);
   void pressInPlace(const PressEvent& event, const session::Snapshot& snapshot);
   void clickInPlace(const session::Snapshot& snapshot, UiOutput& output);
+  void clickInSewing(const session::Snapshot& snapshot);
+  bool leaveMode(const session::Snapshot& snapshot, UiOutput& output);
   bool recentreOnDoubleClick(const PressEvent& event, const session::Snapshot& snapshot);
   void pickVertex(const PressEvent& event, const session::Snapshot& snapshot, UiOutput& output) const;
   bool holdPins(const PressEvent& event, const session::Snapshot& snapshot);
@@ -146,10 +155,12 @@ class InteractionController {
   bool turns_ = false;  // as a turntable
   VertexSelection selection_;
   Placing placing_;
+  SewingMode sewing_;
   UiRect view_{0.0, 0.0, 1280.0, 720.0};
   double scale_ = 1.0;
   std::variant<Idle, Orbiting, Panning, Selecting, Placed, Pulling, MovingBody, MovingPins> gesture_;
   Vec2 pressed_ = Vec2::Zero();
+  bool pressedWithShift_ = false;
   MouseButton gestureButton_ = MouseButton::Left;
   Vec2 mouse_ = Vec2::Zero();
   std::optional<PressEvent> lastLeftPress_;

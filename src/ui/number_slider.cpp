@@ -1,6 +1,6 @@
 #include "ui/number_slider.hpp"
 
-#include "messages/error.hpp"
+#include "messages/sentence_error.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
@@ -102,6 +102,8 @@ Edit typing(PanelContext& context, const SliderInput& input, const settings::Set
     try {
       edit.value = input.typed(typed.text);
       edit.changed = edit.value != value;
+    } catch (const messages::SentenceError& refusal) {
+      context.output.hint = refusal.sentence();
     } catch (const messages::UsageError& error) {
       context.output.hint = text::Sentence::verbatim(error.what());
     }

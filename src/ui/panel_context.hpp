@@ -74,7 +74,9 @@ struct PanelMemory {
   PendingSettings pending;
   std::optional<PendingFigure> pendingFigure;
   std::optional<PendingKeyframes> pendingKeyframes;
-  std::size_t chosenKey = 0;  ///< of the keyframes of the selected pins
+  std::size_t chosenKey = 0;               ///< of the keyframes of the selected pins
+  double bandLength = 0.8;                 ///< of the next elastic band [-]
+  std::optional<std::size_t> hoveredSeam;  ///< whose row is under the mouse
   TypedText typed;
   std::optional<bool> openSections;      ///< open or close all sections in the next frame
   std::map<std::string, bool> sections;  ///< by title, whether the user opened or closed them

@@ -4,6 +4,8 @@
 #include "ui/overlay_stack.hpp"
 #include "ui/panel_context.hpp"
 
+#include <optional>
+#include <string>
 #include <string_view>
 
 namespace drape::ui {
@@ -59,6 +61,18 @@ void selectionBox(PanelContext& context, const UiRect& view);
 void pinKeyRows(PanelContext& context, const std::vector<int>& selected, float width);
 /// The row that starts the mode Place.
 void placeRow(PanelContext& context);
+
+/// The rows that start the mode Sew, and list the seams and the elastic bands of the cloth.
+void sewingRows(PanelContext& context);
+
+/// The borders in the picture, and a box with what can be done with them. Nothing while the mode Sew is off.
+void sewingBox(PanelContext& context, const UiRect& view);
+
+/// The slider of the length of an elastic band. @return the new length when the user changed it
+[[nodiscard]] std::optional<double> bandSlider(PanelContext& context, const std::string& key, double length);
+
+/// Draws borders, pairs and seams behind all panels.
+void drawSewing(PanelContext& context, const SewingView& sewing, const UiRect& view);
 
 /// The gizmo in the picture, and a box with the placement of the chosen thing. Nothing while the mode Place is off.
 void placingBox(PanelContext& context, const UiRect& view);

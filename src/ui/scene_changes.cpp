@@ -38,7 +38,8 @@ bool isPlaced(const scene::SceneDescription& description) {
 
 bool pinsOrBodiesDiffer(const session::Snapshot& snapshot) {
   return snapshot.model->pinned != snapshot.scene->model->pinned || *snapshot.pinPaths != snapshot.scene->pinPaths ||
-         bodiesDiffer(snapshot) || isPlaced(snapshot.scene->description);
+         *snapshot.sewing != scene::sewingOf(snapshot.scene->description) || bodiesDiffer(snapshot) ||
+         isPlaced(snapshot.scene->description);
 }
 
 }  // namespace
@@ -49,7 +50,8 @@ bool hasChanges(const session::Snapshot& snapshot, const scene::Scene& opened) {
 
 bool hasChanges(const session::UserState& now, const session::UserState& saved) {
   return now.bodies != saved.bodies || now.placements != saved.placements || !session::havePinsInCommon(now, saved) ||
-         *now.pinPaths != *saved.pinPaths || settingsDiffer(now.settings, saved.settings, false);
+         *now.pinPaths != *saved.pinPaths || *now.sewing != *saved.sewing ||
+         settingsDiffer(now.settings, saved.settings, false);
 }
 
 bool differsFromScene(const session::Snapshot& snapshot, const settings::Settings& inForce) {

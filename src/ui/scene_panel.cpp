@@ -1,3 +1,4 @@
+#include "io/mesh_summary.hpp"
 #include "ui/panels.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
@@ -94,8 +95,11 @@ void meshRows(PanelContext& context) {
   factRow(context, "pinned", context.texts("{} vertices", text::formatCount(countPins(*context.snapshot.model))));
   selectRow(context);
   placeRow(context);
+  sewingRows(context);
   for (const std::string& warning : summary.warnings) {
-    mutedText(warning, palette().warning);
+    if (context.snapshot.seams->empty() || !warning.ends_with(io::piecesNeedPins)) {
+      mutedText(warning, palette().warning);
+    }
   }
 }
 

@@ -20,6 +20,8 @@ std::span<const Shortcut> shortcuts() {
       Shortcut{Key::B, "B", "select vertices by a rectangle or a click", UiAction::SelectRectangle},
       Shortcut{Key::L, "L", "select an open border", UiAction::SelectBorder},
       Shortcut{Key::G, "G", "place a cloth or a body; again: move, turn, scale", UiAction::Place},
+      Shortcut{Key::S, "S", "sew two open borders", UiAction::Sew},
+      Shortcut{Key::None, "", "set an elastic band along an open border", UiAction::SetBand},
       Shortcut{Key::None, "", "pin the selected vertices", UiAction::PinSelected},
       Shortcut{Key::None, "", "release the selected vertices", UiAction::ReleaseSelected},
       Shortcut{Key::P, "P", "pin the pulled vertex or the selected ones, or release them",

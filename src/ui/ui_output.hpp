@@ -8,6 +8,7 @@
 #include "text/sentence.hpp"
 #include "ui/export_request.hpp"
 #include "ui/placing_view.hpp"
+#include "ui/sewing_view.hpp"
 #include "ui/theme_choice.hpp"
 #include "ui/ui_rect.hpp"
 #include "ui/wording.hpp"
@@ -58,6 +59,23 @@ struct PlacingRequest {
   scene::Placeable thing = {};
   PlacingTool tool = PlacingTool::Move;
   scene::Placement placement = {};
+};
+
+/// A choice of the user in the mode Sew.
+struct SewingRequest {
+  enum class Kind {
+    UseKind,    ///< of what is made: seams or elastic bands
+    UseExtent,  ///< how much of a border a click picks
+    Flip,       ///< the direction of the second side
+    Sew,        ///< the picked borders
+    SetBand,    ///< along the picked border
+    Clear,      ///< the picked borders
+    End         ///< of the mode
+  };
+  Kind kind = Kind::End;
+  SewingKind sewing = SewingKind::Seam;
+  BorderExtent extent = BorderExtent::Corners;
+  double length = 1.0;  ///< of a band over its border at rest [-]
 };
 
 /// Save a fabric of the user, and give it to the cloth.
@@ -111,6 +129,8 @@ enum class UiAction {
   ReleaseSelected,
   TogglePinsSelected,  ///< release them if all are pinned, else pin them
   EndSelection,
+  Sew,               ///< starts the mode that sews borders
+  SetBand,           ///< the same for elastic bands
   Place,             ///< starts the mode that moves, turns and scales things, or takes its next tool
   ToggleProjection,  ///< perspective or orthographic
   ToggleTurntable,
@@ -139,7 +159,7 @@ enum class UiAction {
 
 using UiRequest = std::variant<OpenSceneRequest, OpenPartsRequest, DroppedRequest, RebuildSceneRequest,
                                SaveFabricRequest, SaveClothRequest, SaveSceneRequest, ThemeRequest, LanguageRequest,
-                               PickVertexRequest, PlacingRequest, ExportRequest, UiAction>;
+                               PickVertexRequest, PlacingRequest, SewingRequest, ExportRequest, UiAction>;
 
 /// The requests of the user in one frame. Panels and input only add to it; they never change the running state.
 struct UiOutput {
@@ -193,6 +213,7 @@ struct UiStats {
   std::vector<std::string> recentFiles;  ///< that were opened before, the newest first
   SelectionView selection;
   std::optional<PlacingView> placing;  ///< empty: the mode Place is off
+  std::optional<SewingView> sewing;    ///< empty: the mode Sew is off
   CameraStatus camera;
   std::optional<PiercingNotice> piercing;     ///< empty: no body passes through the cloth
   std::optional<DressingProgress> dressing;   ///< empty: no dressing is under way

@@ -133,13 +133,14 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
   if (panel.stats.exporting) {
     exportNotice(panel, stack);
   }
-  if (!memory.hasDragged && memory.picked.vertices().empty() && !panel.stats.placing &&
+  if (!memory.hasDragged && memory.picked.vertices().empty() && !panel.stats.placing && !panel.stats.sewing &&
       panel.stats.selection.mode == SelectionMode::Off) {
     dragHint(panel, stack);
   }
   pickedPanel(panel, view);
   selectionBox(panel, view);
   placingBox(panel, view);
+  sewingBox(panel, view);
   dialog(panel, view);
 }
 

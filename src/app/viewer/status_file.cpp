@@ -253,6 +253,43 @@ Json dressingOf(const ui::UiStats& stats) {
   return {{"words", stats.dressing->words.english()}, {"share", stats.dressing->share}};
 }
 
+Json sewingOf(const ui::UiStats& stats) {
+  if (!stats.sewing) {
+    return nullptr;
+  }
+  const ui::SewingView& sewing = *stats.sewing;
+  Json places = Json::array();
+  for (const Vec2& place : sewing.places) {
+    places.push_back({{"x", place.x()}, {"y", place.y()}});
+  }
+  return {{"kind", sewing.kind == ui::SewingKind::Seam ? "seam" : "band"},
+          {"hovers", !sewing.border.points.empty()},
+          {"sides", sewing.sides.size()},
+          {"pairs", sewing.pairs.size()},
+          {"problem", sewing.problem.english()},
+          {"places", places}};
+}
+
+/// All seams: the vertices that they join, and whether they are welded.
+Json seamsOf(const session::Snapshot& snapshot) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < snapshot.seams->size(); ++i) {
+    list.push_back({{"pairs", (*snapshot.seams)[i].pairs.size()}, {"welded", snapshot.isWelded[i] != 0}});
+  }
+  return list;
+}
+
+/// The lengths of all elastic bands.
+Json bandsOf(const session::Snapshot& snapshot) {
+  Json list = Json::array();
+  for (const std::vector<scene::BandDescription>& ofCloth : snapshot.sewing->bands) {
+    for (const scene::BandDescription& band : ofCloth) {
+      list.push_back(band.length);
+    }
+  }
+  return list;
+}
+
 Json placingOf(const ui::UiStats& stats, const scene::Scene& scene) {
   if (!stats.placing) {
     return nullptr;
@@ -307,6 +344,9 @@ Json describeAll(const ViewerStatus& status) {
                        {"vertices", selection.points.size()},
                        {"pinned", selection.pinned}};
   json["placing"] = placingOf(status.stats, *status.snapshot.scene);
+  json["sewing"] = sewingOf(status.stats);
+  json["seams"] = seamsOf(status.snapshot);
+  json["bands"] = bandsOf(status.snapshot);
   json["cloth_bounds"] = boundsOfCloth(status.snapshot);
   json["export"] = exportOf(status.stats);
   json["dressing"] = dressingOf(status.stats);

@@ -275,6 +275,7 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     for (auto& change : session::runningChanges(outcome->scene->settings, snapshot.settings)) {
       simulation_.post(std::move(change));
     }
+    keepSewing(*outcome->scene, snapshot);
     if (outcome->kind == Kind::Placed) {
       keepPinsAndBodies(*outcome->scene, snapshot);
     }

@@ -78,6 +78,9 @@ class Viewer {
   void on(const ui::LanguageRequest& request, const session::Snapshot& snapshot);
   void on(const ui::PickVertexRequest& request, const session::Snapshot& snapshot);
   void on(const ui::PlacingRequest& request, const session::Snapshot& snapshot);
+  void on(const ui::SewingRequest& request, const session::Snapshot& snapshot);
+  void startSewing(ui::UiAction action, const session::Snapshot& snapshot);
+  void keepSewing(const scene::Scene& built, const session::Snapshot& snapshot);
   void startPlacing(ui::UiAction action, const session::Snapshot& snapshot);
   void keepPinsAndBodies(const scene::Scene& built, const session::Snapshot& snapshot);
   void on(const ui::ExportRequest& request, const session::Snapshot& snapshot);

@@ -73,6 +73,7 @@ scene::SceneNow sceneNow(const session::UserState& state, const session::Snapsho
   for (const session::BodyChoice& body : state.bodies) {
     now.bodies.push_back({body.on, body.shift, body.surface, body.figure});
   }
+  now.sewing = *state.sewing;
   return now;
 }
 
@@ -151,6 +152,7 @@ void Viewer::followCamera(const session::Snapshot& snapshot) {
   }
   stats_.selection = controller_.selection(snapshot);
   stats_.placing = controller_.placingView(snapshot);
+  stats_.sewing = controller_.sewingView(snapshot);
   stats_.camera = {controller_.camera().isOrthographic(), controller_.turns(), {}};
   if (const SceneViews* views = preferences_.viewsOf(sceneKey(snapshot))) {
     for (std::size_t i = 0; i < views->views.size(); ++i) {

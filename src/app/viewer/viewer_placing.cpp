@@ -1,4 +1,4 @@
-// The mode Place: requests of the user, and what stays when the scene is built with another placement.
+// The modes Place and Sew: requests of the user, and what stays when the scene is built again.
 #include "app/viewer/viewer.hpp"
 
 #include <optional>
@@ -20,6 +20,31 @@ void Viewer::startPlacing(ui::UiAction action, const session::Snapshot& snapshot
     output.hint = "A placement undoes the dressing; press Dress again after it";
   }
   execute(output, snapshot);
+}
+
+void Viewer::on(const ui::SewingRequest& request, const session::Snapshot& snapshot) {
+  ui::UiOutput output;
+  controller_.sewing().on(request, snapshot, output);
+  undo_.noteCommands(output.commands);
+  execute(output, snapshot);
+}
+
+void Viewer::startSewing(ui::UiAction action, const session::Snapshot& snapshot) {
+  ui::UiOutput output;
+  controller_.sew(action, output);
+  execute(output, snapshot);
+}
+
+/// A scene that was built again has the seams and bands of its file. Those of the user stay where the mesh is the same.
+void Viewer::keepSewing(const scene::Scene& built, const session::Snapshot& snapshot) {
+  if (*snapshot.sewing == scene::sewingOf(snapshot.scene->description)) {
+    return;
+  }
+  if (built.model->triangles == snapshot.scene->model->triangles) {
+    simulation_.post(session::SetSewingCommand{*snapshot.sewing});
+  } else {
+    showNotice("The mesh has changed: your seams and elastic bands were removed");
+  }
 }
 
 /// A scene with another placement has the same vertices and bodies, so the user's pins and bodies stay. Bodies that the

@@ -143,6 +143,10 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
     case ui::UiAction::EndSelection:
       selectOrPin(action, snapshot);
       break;
+    case ui::UiAction::Sew:
+    case ui::UiAction::SetBand:
+      startSewing(action, snapshot);
+      break;
     case ui::UiAction::Place:
       startPlacing(action, snapshot);
       break;
