@@ -72,22 +72,35 @@ std::vector<sim::fabric::RestTriangle> patternsOf(std::span<const ClothPart> clo
   return all;
 }
 
-/// The material of each triangle. Cloths with equal moduli share one.
-sim::fabric::TriangleMaterials materialsOf(const sim::ClothModel& model, std::span<const ClothPart> cloths,
-                                           const settings::Settings& settings) {
+struct ClothMaterials {
   std::vector<sim::fabric::Material> list;
-  std::vector<int> indices(model.triangles.size(), 0);
+  std::vector<int> indices;  // of each cloth, into `list`
+};
+
+/// The materials of the cloths. Cloths with equal moduli share one.
+ClothMaterials materialsOfCloths(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+  ClothMaterials materials;
   for (const ClothPart& cloth : cloths) {
     const sim::fabric::Material moduli = settingsOf(cloth.own, settings).fabric.moduli;
-    const auto found = std::find(list.begin(), list.end(), moduli);
-    const auto index = static_cast<int>(found - list.begin());
-    if (found == list.end()) {
-      list.push_back(moduli);
+    const auto found = std::ranges::find(materials.list, moduli);
+    materials.indices.push_back(static_cast<int>(found - materials.list.begin()));
+    if (found == materials.list.end()) {
+      materials.list.push_back(moduli);
     }
-    std::fill_n(indices.begin() + cloth.firstTriangle, cloth.triangleCount, index);
   }
-  return list.size() == 1 ? sim::fabric::TriangleMaterials(list.front())
-                          : sim::fabric::TriangleMaterials(std::move(list), std::move(indices));
+  return materials;
+}
+
+/// The material of each triangle.
+sim::fabric::TriangleMaterials materialsOf(const sim::ClothModel& model, std::span<const ClothPart> cloths,
+                                           const settings::Settings& settings) {
+  ClothMaterials materials = materialsOfCloths(cloths, settings);
+  std::vector<int> indices(model.triangles.size(), 0);
+  for (std::size_t i = 0; i < cloths.size(); ++i) {
+    std::fill_n(indices.begin() + cloths[i].firstTriangle, cloths[i].triangleCount, materials.indices[i]);
+  }
+  return materials.list.size() == 1 ? sim::fabric::TriangleMaterials(materials.list.front())
+                                    : sim::fabric::TriangleMaterials(std::move(materials.list), std::move(indices));
 }
 
 /// The text for each cloth, after its name if there are several.
@@ -129,14 +142,15 @@ text::Sentence fabricsInWords(std::span<const ClothPart> cloths, const settings:
                      [&](const ClothPart& cloth) { return settings::fabricTitle(settingsOf(cloth.own, settings)); });
 }
 
-text::Sentence loweredFabricInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {
+text::Sentence materialInWords(std::span<const ClothPart> cloths, const settings::Settings& settings, int material) {
   if (!settings::usesFabric(settings)) {
     return {};
   }
-  const auto titleOf = [&](const ClothPart& cloth) { return settings::fabricTitle(settingsOf(cloth.own, settings)); };
-  const text::Sentence first = titleOf(cloths.front());
-  const bool same = std::ranges::all_of(cloths, [&](const ClothPart& cloth) { return titleOf(cloth) == first; });
-  return same ? first : text::Sentence("the fabric that is lowered most");
+  const std::vector<int> materials = materialsOfCloths(cloths, settings).indices;
+  const auto found = std::ranges::find(materials, material);
+  // A snapshot can be older than a change of the fabrics. Then its material may not exist any more.
+  const ClothPart& cloth = found == materials.end() ? cloths.front() : cloths[found - materials.begin()];
+  return settings::fabricTitle(settingsOf(cloth.own, settings));
 }
 
 text::Sentence warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings) {

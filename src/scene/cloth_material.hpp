@@ -26,10 +26,10 @@ namespace drape::scene {
 /// The fabric of each cloth: "Denim", or "shirt: Jersey; jacket: Denim". @param settings of the scene
 [[nodiscard]] text::Sentence fabricsInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);
 
-/// The fabric whose stretch stiffness `auto` lowers most: the name of the only one, or words for it if the cloths have
-/// several. Empty for springs. @param settings of the scene
-[[nodiscard]] text::Sentence loweredFabricInWords(std::span<const ClothPart> cloths,
-                                                  const settings::Settings& settings);
+/// The name of a material of the model: the fabric of the first cloth that consists of it. Empty for springs.
+/// @param material index into sim::fabric::TriangleMaterials::list  @param settings of the scene
+[[nodiscard]] text::Sentence materialInWords(std::span<const ClothPart> cloths, const settings::Settings& settings,
+                                             int material);
 
 /// warpInWords of each cloth, in the same form.
 [[nodiscard]] text::Sentence warpInWords(std::span<const ClothPart> cloths, const settings::Settings& settings);

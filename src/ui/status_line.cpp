@@ -197,7 +197,7 @@ void detailRows(PanelContext& context) {
   }
   if (const auto& choice = snapshot.stepReport.choice) {
     ImGui::Spacing();
-    const text::Sentence fabric = scene::loweredFabricInWords(snapshot.scene->cloths, settings);
+    const text::Sentence fabric = scene::materialInWords(snapshot.scene->cloths, settings, choice->softestMaterial);
     mutedText(context.texts("Chosen by auto: {}",
                             messages::inWords(*choice, fabric, snapshot.stepSeconds, timeForStep(settings))));
   }

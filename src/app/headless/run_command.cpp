@@ -110,8 +110,8 @@ void printFabric(const session::Simulation& simulation) {
 void printChoice(const session::Simulation& simulation) {
   if (const auto& choice = simulation.lastStepReport().choice) {
     std::cout << "last step: "
-              << messages::inWords(*choice,
-                                   scene::loweredFabricInWords(simulation.scene().cloths, simulation.settings()))
+              << messages::inWords(*choice, scene::materialInWords(simulation.scene().cloths, simulation.settings(),
+                                                                   choice->softestMaterial))
               << '\n';
   }
 }

@@ -163,8 +163,7 @@ nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& 
 
 nlohmann::ordered_json RunStats::choiceJson(const session::Simulation& simulation) const {
   const auto& last = simulation.lastStepReport().choice;
-  nlohmann::ordered_json json =
-      app::toJson(last, scene::loweredFabricInWords(simulation.scene().cloths, simulation.settings()));
+  nlohmann::ordered_json json = app::toJson(last, simulation.scene().cloths, simulation.settings());
   if (last) {
     std::vector<float> evaluations = forceEvaluations_;
     std::sort(evaluations.begin(), evaluations.end());

@@ -212,8 +212,7 @@ Json describeSimulation(const session::Snapshot& snapshot) {
           {"attachment", toJson(snapshot.attachment)},
           {"ghost", toJson(snapshot.ghost)},
           {"contacts", contactsOf(snapshot)},
-          {"choice", app::toJson(snapshot.stepReport.choice,
-                                 scene::loweredFabricInWords(snapshot.scene->cloths, snapshot.settings))},
+          {"choice", app::toJson(snapshot.stepReport.choice, snapshot.scene->cloths, snapshot.settings)},
           {"warning", session::solverWarning(snapshot.settings, *snapshot.model).english()}};
 }
 

@@ -19,6 +19,7 @@ struct StepChoice {
   double costRatio = 0.0;    ///< planned cost over the cost budget of the step [-]
   /// Of the springs at the median vertex, or of a fabric's stretch, in the softest of several materials [-]; 1: full.
   double stiffnessScale = 1.0;
+  int softestMaterial = 0;         ///< the index of that material, see fabric::TriangleMaterials::list
   double strain = -1.0;            ///< along warp or weft of a fabric with auto.strain [-]; negative: not measured
   int softenedTriangles = 0;       ///< small triangles of a fabric with auto.strain whose stiffness is lowered [-]
   double fullStiffnessCost = 1.0;  ///< cost of a step with the full stiffness over that of this one [-]

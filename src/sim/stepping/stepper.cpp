@@ -53,11 +53,13 @@ void addLater(const contact::ContactReport& next, contact::ContactReport& total)
   total.selfSeconds += next.selfSeconds;
 }
 
-/// The material with the smallest scale of its stretch stiffness; among equals the one with the largest strain.
-adaptive::StretchMemory softestOf(const std::vector<adaptive::StretchMemory>& materials) {
-  return *std::ranges::max_element(materials, {}, [](const adaptive::StretchMemory& material) {
+/// The index of the material with the smallest scale of its stretch stiffness; among equals the one with the largest
+/// strain.
+int softestOf(const std::vector<adaptive::StretchMemory>& materials) {
+  const auto softest = std::ranges::max_element(materials, {}, [](const adaptive::StretchMemory& material) {
     return std::pair{material.level, material.strain};
   });
+  return static_cast<int>(softest - materials.begin());
 }
 
 /// Lets the time begin anew for which cloth must be at rest before it settles and sleeps.
@@ -133,11 +135,13 @@ StepReport Stepper::advanceWithChosenStretch(const ClothModel& model, const Step
                                                .meetsBodies = contact::meetsBodies(parameters.contact, inputs),
                                                .isAttached = inputs.attachment.has_value()};
   const ClothModel& chosen = stretch_.choose(model, conditions, state, memory);
-  const adaptive::StretchMemory choice = softestOf(memory.stretch);
+  const int softest = softestOf(memory.stretch);
+  const adaptive::StretchMemory choice = memory.stretch[softest];
   adaptive::storeStepMemory(std::move(memory), state);
   StepReport report = advance(chosen, parameters, inputs, state);
   if (report.choice) {
     report.choice->stiffnessScale = adaptive::StretchChoice::scaleOf(choice.level);
+    report.choice->softestMaterial = softest;
     report.choice->strain = choice.strain;
     report.choice->softenedTriangles = chosen.fabric->slivers - model.fabric->slivers;
     report.choice->fullStiffnessCost = largestFrequency(model, parameters) / largestFrequency(chosen, parameters);

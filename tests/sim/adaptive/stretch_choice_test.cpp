@@ -107,6 +107,7 @@ TEST(StretchChoice, lowersTheStiffnessOfAStiffMaterialBesideOneThatIsStrainedBey
   EXPECT_EQ(stepMemoryOf(state).stretch[1].level, 0);
   EXPECT_LT(report.choice->stiffnessScale, 0.3);
   EXPECT_NEAR(report.choice->strain, strains[0], 0.005);
+  EXPECT_EQ(report.choice->softestMaterial, 0);
 }
 
 TEST(StretchChoice, keepsTheStiffnessOfAMaterialThatDoesNotShortenTheSubsteps) {
