@@ -95,6 +95,23 @@ double kernelEnergy(const ClothModel& model, const ClothState& state) {
   return std::accumulate(energies.begin(), energies.begin() + static_cast<std::ptrdiff_t>(state.positions.size()), 0.0);
 }
 
+TEST(SlicedFabric, storesNothingOfBendingIfTheFabricDoesNotResistIt) {
+  fabric::Material material = woven();
+  const auto springs = pinnedCloth(sheet(5));
+  const auto sliced = [&] {
+    const auto model = fabric::withFabric(*springs, material,
+                                          fabric::warpAlong(Vec3::UnitX(), springs->restPositions, springs->triangles));
+    SliceLayout layout = buildSliceLayout(*model);
+    return std::pair{model, buildSlicedFabric<float>(*model, layout)};
+  };
+  EXPECT_TRUE(sliced().second.bending.has_value());
+  material.bendWarp = material.bendWeft = material.bendBias = 0.0;
+  const auto [model, membrane] = sliced();
+  EXPECT_FALSE(membrane.bending.has_value());
+  EXPECT_EQ(model->fabric->bending.nonZeros(), 0);
+  EXPECT_TRUE(model->fabric->bendingScales.empty());
+}
+
 TEST(SlicedFabric, findsTheEnergyOfTheReferenceImplementation) {
   for (const auto& [name, model] : withEveryFabric(*pinnedCloth(renumbered(unevenSheet(17, 4), 6)))) {
     const ClothState state = shaken(*model, 0.002, 5);
