@@ -9,6 +9,7 @@
 #include "scene/mesh_file.hpp"
 #include "scene/pin_selection.hpp"
 #include "scene/shape_pins.hpp"
+#include "scene/subdivision.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
@@ -192,6 +193,17 @@ ClothPart partFor(const ClothDescription& description, const Source& source, con
   return part;
 }
 
+/// The pins of a cloth in the scene, with the middles of the edges between them.
+std::vector<PinGroup> pinsOf(const ClothDescription& description, const settings::Settings& settings, Source source,
+                             std::span<const Midpoint> midpoints) {
+  placeCloth(description, source.mesh.cloth.positions);
+  std::vector<PinGroup> groups = choosePins(description, settings, source);
+  for (PinGroup& group : groups) {
+    addMidpoints(midpoints, group.vertices);
+  }
+  return groups;
+}
+
 void appendPins(std::vector<PinGroup> groups, int offset, std::vector<PinGroup>& all) {
   for (PinGroup& group : groups) {
     for (int& vertex : group.vertices) {
@@ -203,10 +215,13 @@ void appendPins(std::vector<PinGroup> groups, int offset, std::vector<PinGroup>&
 
 void appendCloth(const ClothDescription& description, const settings::Settings& settings, Source source,
                  JoinedCloths& joined) {
+  SubdividedMesh divided = subdivided(source.mesh, settings.mesh.subdivide);
+  std::vector<PinGroup> pins = pinsOf(description, settings, source, divided.midpoints);
+  source.mesh = std::move(divided.mesh);
   const std::vector<Vec3> start = startPositions(description, source);
   placeCloth(description, source.mesh.cloth.positions);
   const ClothPart part = partFor(description, source, joined);
-  appendPins(choosePins(description, settings, source), part.firstVertex, joined.pins);
+  appendPins(std::move(pins), part.firstVertex, joined.pins);
   appendTriangles(source.mesh.cloth.triangles, part.firstVertex, joined.mesh.triangles);
   const std::vector<Vec3>& rest = source.mesh.cloth.positions;
   joined.mesh.positions.insert(joined.mesh.positions.end(), rest.begin(), rest.end());

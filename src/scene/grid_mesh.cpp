@@ -1,6 +1,7 @@
 #include "scene/grid_mesh.hpp"
 
 #include "messages/error.hpp"
+#include "scene/mesh_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,20 +9,6 @@
 
 namespace drape::scene {
 namespace {
-
-/// A grid has no file: its mesh stands for it.
-std::shared_ptr<const io::FileMesh> fileMeshOf(const io::ImportedMesh& grid) {
-  auto file = std::make_shared<io::FileMesh>();
-  file->positions = grid.cloth.positions;
-  file->particle = grid.render.particle;
-  file->uvs = grid.render.uvs;
-  for (const Triangle& triangle : grid.cloth.triangles) {
-    file->corners.insert(file->corners.end(), triangle.begin(), triangle.end());
-    file->endFace();
-  }
-  file->uvCorners = file->corners;
-  return file;
-}
 
 /// One fold of a pleat: a sine of the given amplitude over `length` along x, sampled by arc length.
 class Fold {
@@ -142,7 +129,7 @@ io::ImportedMesh makeGrid(const GridLayout& layout, GridSource::Plane plane) {
     }
   }
   mesh.render.triangles = mesh.cloth.triangles;
-  mesh.file = fileMeshOf(mesh);
+  mesh.file = fileMeshOf(mesh);  // a grid has no file: its mesh stands for it
   measure(layout, plane, mesh.summary);
   return mesh;
 }

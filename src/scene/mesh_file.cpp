@@ -22,4 +22,19 @@ io::ImportedMesh readMesh(const MeshFileSource& source, const io::ImportOptions&
   }
 }
 
+std::shared_ptr<const io::FileMesh> fileMeshOf(const io::ImportedMesh& mesh) {
+  auto file = std::make_shared<io::FileMesh>();
+  for (const int particle : mesh.render.particle) {
+    file->positions.push_back(mesh.cloth.positions[particle]);
+  }
+  file->particle = mesh.render.particle;
+  file->uvs = mesh.render.uvs;
+  for (const Triangle& triangle : mesh.render.triangles) {
+    file->corners.insert(file->corners.end(), triangle.begin(), triangle.end());
+    file->endFace();
+  }
+  file->uvCorners = file->corners;
+  return file;
+}
+
 }  // namespace drape::scene

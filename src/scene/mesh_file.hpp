@@ -16,4 +16,8 @@ namespace drape::scene {
 /// file that names the mesh.
 [[nodiscard]] io::ImportedMesh readMesh(const MeshFileSource& source, const io::ImportOptions& options);
 
+/// The mesh that an export writes where there is no file, or where it does not have all triangles of the cloth: vertex
+/// by vertex that for drawing.
+[[nodiscard]] std::shared_ptr<const io::FileMesh> fileMeshOf(const io::ImportedMesh& mesh);
+
 }  // namespace drape::scene

@@ -60,6 +60,7 @@ struct Settings {
     std::string up = "y";             ///< the file's axis that points up, or "auto" (guessed)
     double weldTolerance = 1e-6;      ///< share of the bounding box's diagonal [-]
     std::string outliers = "refuse";  ///< vertices far from all others: "refuse" or "leave_out"
+    int subdivide = 0;                ///< how often each triangle is divided into four
     std::string pins = "scene";       ///< "scene", "shape", "top" or "none"
   } mesh;
 

@@ -647,6 +647,11 @@ const std::array table{
         "What happens when vertices of a mesh file lie far from all others: the file is refused, or they are left out "
         "with their faces.",
         {}, {}, SettingScope::MeshFile},
+    SettingInfo{"subdivide", "Subdivision", "-", Scene, SettingEffect::Scene,
+        IntegerField{[](auto& s) -> auto& { return s.mesh.subdivide; }, 0, 3},
+        "How often each triangle of a mesh file is divided into four. The shape stays the same, and wrinkles become finer. "
+        "Each division makes a step about eight times as long.",
+        {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
         textOf<[](auto& s) -> auto& { return s.mesh.pins; }>(wordsIn<pinSources>, labelIn<pinSources>),
         "Vertices that are fixed: the pins of the scene, pins chosen from the shape, the topmost vertices, or none. "

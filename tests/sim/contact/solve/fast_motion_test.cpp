@@ -173,7 +173,7 @@ TEST(FastMotion, aSheetDoesNotPassAPlane) {
 }
 
 /// A bowl with a rim: concave, with a sharp corner all around.
-MeshShape bowl() {
+MeshShape meshOfBowl() {
   ClothMesh sheet = testing::sheet(25);
   for (Vec3& position : sheet.positions) {
     position -= Vec3(0.5, 0.0, 0.5);
@@ -185,7 +185,7 @@ MeshShape bowl() {
 
 TEST(FastMotion, aSheetDoesNotPassAConcaveMesh) {
   for (const Pace& pace : {inContactSubsteps, inOneContactSubstep}) {
-    const Body body = bodyAt(std::make_shared<const MeshShape>(bowl()), Vec3::Zero());
+    const Body body = bodyAt(std::make_shared<const MeshShape>(meshOfBowl()), Vec3::Zero());
     ContactScene scene(freeSheet(19, 0.7, Vec3(0.02, 0.4, 0.01)), {body}, "xpbd");
     scene.parameters.timeStep = pace.timeStep;
     scene.parameters.material.stiffness = 50.0;
