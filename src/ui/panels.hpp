@@ -86,6 +86,9 @@ void cameraRows(PanelContext& context);
 /// Rows of the section Performance.
 void performanceRows(PanelContext& context);
 
+/// The button that compares the sources of error, and the result.
+void errorSourcesRows(PanelContext& context);
+
 /// The last check of the error in words, if there is one.
 void accuracyText(const PanelContext& context);
 

@@ -123,6 +123,7 @@ void performanceRows(PanelContext& context) {
     ghostPlot(context);
   }
   errorRows(context);
+  errorSourcesRows(context);
   if (snapshot.stepReport.choice) {
     choicePlots(context);
   }

@@ -57,6 +57,7 @@ std::span<const Shortcut> shortcuts() {
       Shortcut{Key::None, "", "untangle the cloth",
                [](const session::Snapshot&) -> session::Command { return session::UntangleCommand{}; }},
       Shortcut{Key::None, "", "dress the body with the cloth", UiAction::Dress},
+      Shortcut{Key::None, "", "compare the sources of error", UiAction::CompareErrors},
       Shortcut{Key::F12, "F12", "save a picture", UiAction::Screenshot},
       Shortcut{Key::E, "E", "save the cloth (OBJ)", UiAction::SaveCloth},
       Shortcut{Key::E, "Ctrl+E", "export a frame, the motion or a film", UiAction::ShowExport, false, true},

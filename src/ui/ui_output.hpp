@@ -4,6 +4,7 @@
 #include "scene/scene_parts.hpp"
 #include "session/command.hpp"
 #include "settings/settings.hpp"
+#include "sim/measures/error_sources.hpp"
 #include "sim/model/vector.hpp"
 #include "text/sentence.hpp"
 #include "ui/export_request.hpp"
@@ -142,11 +143,13 @@ enum class UiAction {
   KeepView2,
   KeepView3,
   KeepView4,
-  ShowExport,      ///< the panel of exports
-  CancelExport,    ///< that is under way
-  Dress,           ///< a body of the scene with the cloth
-  CancelDressing,  ///< that is under way
-  SaveProbes,      ///< the values at the picked vertices
+  ShowExport,        ///< the panel of exports
+  CancelExport,      ///< that is under way
+  Dress,             ///< a body of the scene with the cloth
+  CancelDressing,    ///< that is under way
+  CompareErrors,     ///< of the motion since the start, by their sources
+  CancelComparison,  ///< that is under way
+  SaveProbes,        ///< the values at the picked vertices
   FrameCloth,
   ViewFront,
   ViewRight,
@@ -202,6 +205,12 @@ struct DressingProgress {
   double share = 0.0;  ///< of that, from 0 to 1
 };
 
+/// A comparison of the sources of error.
+struct ErrorComparisonView {
+  std::optional<double> share;             ///< of the work that is done, from 0 to 1; empty: none is under way
+  std::vector<sim::ErrorSources> sources;  ///< of the last comparison of this scene, at ascending times; may be empty
+};
+
 /// Data of the panels besides the snapshot.
 struct UiStats {
   double frameSeconds = 0.0;             ///< between two drawn frames, recently [s]
@@ -215,8 +224,9 @@ struct UiStats {
   std::optional<PlacingView> placing;  ///< empty: the mode Place is off
   std::optional<SewingView> sewing;    ///< empty: the mode Sew is off
   CameraStatus camera;
-  std::optional<PiercingNotice> piercing;     ///< empty: no body passes through the cloth
-  std::optional<DressingProgress> dressing;   ///< empty: no dressing is under way
+  std::optional<PiercingNotice> piercing;    ///< empty: no body passes through the cloth
+  std::optional<DressingProgress> dressing;  ///< empty: no dressing is under way
+  ErrorComparisonView errors;
   std::optional<ExportProgress> exporting;    ///< empty: no export is under way
   const fields::ShownField* field = nullptr;  ///< the colour map of this picture; null: there is none
   fields::SnapshotFields* fields = nullptr;   ///< computes the values at picked vertices; null: none can be picked

@@ -24,11 +24,7 @@ void choose(ViewerDriver& viewer, const std::string& motion) {
 
 /// Closes the sections above the rows of the figure, so that these are in sight.
 void closeSections(ViewerDriver& viewer) {
-  for (const char* section : {"section.material", "section.air", "section.simulation", "section.contact"}) {
-    const Json heading = viewer.frames()["buttons"][section];
-    viewer.click(
-        {heading["x"].get<double>() + 60.0, heading["y"].get<double>() + 0.5 * heading["height"].get<double>()});
-  }
+  clickHeadings(viewer, {"section.material", "section.air", "section.simulation", "section.contact"});
 }
 
 std::string textOf(const std::filesystem::path& file) {

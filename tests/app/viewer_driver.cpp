@@ -279,4 +279,13 @@ Place ViewerDriver::besideCloth() {
   return {now["free_point"]["x"], now["free_point"]["y"]};
 }
 
+void clickHeadings(ViewerDriver& viewer, const std::vector<std::string>& sections) {
+  constexpr double besideTheTitle = 60.0;
+  for (const std::string& section : sections) {
+    const Json heading = viewer.frames()["buttons"][section];
+    viewer.click({heading["x"].get<double>() + besideTheTitle,
+                  heading["y"].get<double>() + 0.5 * heading["height"].get<double>()});
+  }
+}
+
 }  // namespace drape::app

@@ -128,4 +128,7 @@ class ViewerDriver {
   std::unique_ptr<Process> viewer_;
 };
 
+/// Opens or closes sections of the panel by a click on the heading of each ("section.material").
+void clickHeadings(ViewerDriver& viewer, const std::vector<std::string>& sections);
+
 }  // namespace drape::app

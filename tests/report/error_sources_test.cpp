@@ -1,7 +1,15 @@
+#include "report/error_sources.hpp"
+
+#include "messages/error.hpp"
 #include "report/sections/error_sources_view.hpp"
 #include "report/sections/sections.hpp"
 
+#include "settings/settings_table.hpp"
+#include "sim/fabric/fabric.hpp"
+
 #include <gtest/gtest.h>
+
+#include <limits>
 #include <variant>
 
 namespace drape::report {
@@ -32,6 +40,97 @@ TEST(ErrorSources, namesTheLargestSourceAndChaosWhereThatIsLarger) {
   EXPECT_EQ(dominant(row), "mesh") << "the implicit solver is there for comparison";
   row["jitter"] = 1e-2;
   EXPECT_EQ(dominant(row), "chaos");
+}
+
+/// A sheet of jersey that hangs from two corners, in few large cells.
+scene::SceneDescription coarseSheet() {
+  scene::SceneDescription description = scene::openScene("grid");
+  for (const char* expression :
+       {"material.model=fabric", "material.preset=jersey", "grid.resolution=9", "time_step=1/150", "solver=auto"}) {
+    settings::assignSettingExpression(description.settings, expression);
+  }
+  return description;
+}
+
+settings::Settings withSolver(settings::Settings settings, const char* solver) {
+  settings.solver.name = solver;
+  return settings;
+}
+
+TEST(ErrorSourcesOfAScene, areMostlyTheMeshForAutoAndMostlyTheMethodForOneIteration) {
+  const scene::SceneDescription description = coarseSheet();
+  ErrorSourcesPlan plan;
+  plan.times = {0.2, 0.3};
+  const auto ofAuto = measureErrorSources(description, description.settings, plan);
+  ASSERT_EQ(ofAuto.size(), 2U);
+  EXPECT_EQ(ofAuto[1].time, 0.3);
+  for (const sim::ErrorSources& at : ofAuto) {
+    EXPECT_EQ(sim::dominantSource(at), sim::ErrorSource::Mesh);
+    EXPECT_GT(at.mesh, 5.0 * at.method);
+    EXPECT_GT(at.material, 0.0);
+    EXPECT_LT(at.start, 1e-4);
+  }
+  const auto ofOneIteration = measureErrorSources(description, withSolver(description.settings, "one_iteration"), plan);
+  EXPECT_EQ(sim::dominantSource(ofOneIteration[0]), sim::ErrorSource::Method);
+  EXPECT_EQ(ofOneIteration[0].mesh, ofAuto[0].mesh) << "the mesh is compared by the accurate method";
+}
+
+TEST(ErrorSourcesOfAScene, ofTheMeshFallWithTheCells) {
+  scene::SceneDescription description = coarseSheet();
+  const double coarse = measureErrorSources(description, description.settings, {}).front().mesh;
+  settings::assignSettingExpression(description.settings, "grid.resolution=17");
+  const double fine = measureErrorSources(description, description.settings, {}).front().mesh;
+  EXPECT_LT(fine, 0.75 * coarse);
+}
+
+TEST(ErrorSourcesOfAScene, tellsItsProgressAndEndsOnRequest) {
+  const scene::SceneDescription description = coarseSheet();
+  std::vector<double> parts;
+  static_cast<void>(measureErrorSources(description, description.settings, {.times = {0.1}},
+                                        [&](double part) { parts.push_back(part); }));
+  EXPECT_TRUE(std::ranges::is_sorted(parts));
+  EXPECT_DOUBLE_EQ(parts.back(), 1.0);
+  struct Stop {};
+  EXPECT_THROW(
+      static_cast<void>(measureErrorSources(description, description.settings, {}, [](double) { throw Stop(); })),
+      Stop);
+}
+
+TEST(ErrorSourcesOfAScene, areRefusedForSeams) {
+  const scene::SceneDescription description = scene::openScene("sewing");
+  EXPECT_THROW(static_cast<void>(measureErrorSources(description, description.settings, {})), messages::InputError);
+}
+
+TEST(StifferMaterial, isStifferByATenthInEachCloth) {
+  const scene::SceneDescription description = scene::openScene("walk");
+  const auto scene = scene::buildScene(description, description.settings);
+  const auto stiff = withStifferMaterial(description, description.settings);
+  ASSERT_EQ(stiff->model->fabric->materials.list().size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const sim::fabric::Material& own = scene->model->fabric->materials.list()[i];
+    const sim::fabric::Material& stiffer = stiff->model->fabric->materials.list()[i];
+    EXPECT_DOUBLE_EQ(stiffer.stretchWarp, 1.1 * own.stretchWarp);
+    EXPECT_DOUBLE_EQ(stiffer.bendBias, 1.1 * own.bendBias);
+    EXPECT_EQ(stiffer.poisson, own.poisson);
+  }
+  EXPECT_EQ(stiff->model->vertexMass, scene->model->vertexMass);
+}
+
+TEST(FinerMesh, hasTheVerticesOfTheMeshAndFourTimesTheTriangles) {
+  const scene::SceneDescription description = scene::openScene("walk");
+  const auto scene = scene::buildScene(description, description.settings);
+  const auto finer = withFinerMesh(description, description.settings);
+  EXPECT_EQ(finer->model->triangles.size(), 4 * scene->model->triangles.size());
+  EXPECT_EQ(meshDistance(*scene, scene->start.positions, *finer, finer->start.positions), 0.0);
+}
+
+TEST(DominantSource, isTheLargestAndChaosWhereThatIsLarger) {
+  sim::ErrorSources sources{.time = 0.2, .method = 1e-5, .mesh = 5e-3, .material = 1e-3, .start = 1e-6};
+  EXPECT_EQ(sim::dominantSource(sources), sim::ErrorSource::Mesh);
+  sources.method = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sim::dominantSource(sources), sim::ErrorSource::Method);
+  sources = {.time = 0.2, .method = 1e-5, .mesh = 5e-3, .material = 1e-3, .start = 1e-2};
+  EXPECT_EQ(sim::dominantSource(sources), sim::ErrorSource::Chaos);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ void addRunCommand(CLI::App& app);
 void addCaptureCommand(CLI::App& app);
 void addBakeCommand(CLI::App& app);
 void addMeasureCommand(CLI::App& app);
+void addErrorsCommand(CLI::App& app);
 void addHardCasesCommand(CLI::App& app);
 void addValidateCommand(CLI::App& app);
 void addUntangleCommand(CLI::App& app);

@@ -9,6 +9,7 @@ int main(int argc, char** argv) {
   drape::app::addCaptureCommand(app);
   drape::app::addBakeCommand(app);
   drape::app::addMeasureCommand(app);
+  drape::app::addErrorsCommand(app);
   drape::app::addHardCasesCommand(app);
   drape::app::addValidateCommand(app);
   drape::app::addUntangleCommand(app);

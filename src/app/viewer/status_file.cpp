@@ -309,6 +309,15 @@ Json boundsOfCloth(const session::Snapshot& snapshot) {
   return {{"min", toJson(box.min())}, {"max", toJson(box.max())}};
 }
 
+Json errorsOf(const ui::ErrorComparisonView& errors) {
+  Json sources = Json::array();
+  for (const sim::ErrorSources& at : errors.sources) {
+    sources.push_back(
+        {{"time", at.time}, {"method", at.method}, {"mesh", at.mesh}, {"material", at.material}, {"start", at.start}});
+  }
+  return {{"share", errors.share ? Json(*errors.share) : Json(nullptr)}, {"sources", sources}};
+}
+
 Json piercingOf(const ui::UiStats& stats) {
   if (!stats.piercing) {
     return nullptr;
@@ -350,6 +359,7 @@ Json describeAll(const ViewerStatus& status) {
   json["export"] = exportOf(status.stats);
   json["dressing"] = dressingOf(status.stats);
   json["piercing"] = piercingOf(status.stats);
+  json["errors"] = errorsOf(status.stats.errors);
   PlaceFinder places(status);
   json["free_point"] = places.freePoint();
   json["cloth_points"] = places.clothPoints();

@@ -151,6 +151,7 @@ void Viewer::frame() {
   controller_.placing().follow(snapshot);
   takeLoadedScene(snapshot);
   followDressing(snapshot);
+  followComparison(snapshot);
   events_.beginFrame();
   stats_.field = &fieldDisplay_.update(snapshot, fields_);
   stats_.fields = &fields_;

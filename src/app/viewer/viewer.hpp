@@ -5,6 +5,7 @@
 #include "app/dressing/piercing_watch.hpp"
 #include "app/fabric_list.hpp"
 #include "app/output_file.hpp"
+#include "app/viewer/error_comparison.hpp"
 #include "app/viewer/export_job.hpp"
 #include "app/viewer/file_dialog.hpp"
 #include "app/viewer/film_painter.hpp"
@@ -86,6 +87,8 @@ class Viewer {
   void on(const ui::ExportRequest& request, const session::Snapshot& snapshot);
   [[nodiscard]] std::future<session::RecordedState> presentState();
   void followExport();
+  void compareErrors(const session::Snapshot& snapshot);
+  void followComparison(const session::Snapshot& snapshot);
   void dress(const session::Snapshot& snapshot);
   void beginDressing(const session::Snapshot& snapshot, DressingOrder order, bool isPaused);
   void followDressing(const session::Snapshot& snapshot);
@@ -139,8 +142,11 @@ class Viewer {
   std::int64_t seenPicture_ = -1;  ///< Snapshot::pictureVersion of the last frame
   std::optional<OutputFile> record_;
   session::SimulationThread simulation_;
-  std::optional<FilmPainter> filmPainter_;  ///< of the film that is written
-  std::unique_ptr<ExportJob> export_;       ///< null: none is under way
+  std::optional<FilmPainter> filmPainter_;             ///< of the film that is written
+  std::unique_ptr<ExportJob> export_;                  ///< null: none is under way
+  std::unique_ptr<ErrorComparison> comparison_;        ///< of the sources of error; null: none is under way
+  std::shared_ptr<const scene::Scene> comparedScene_;  ///< of the last comparison
+  settings::Settings comparedSettings_;
   PiercingWatch piercings_;
   std::optional<DressingChoices> dressingChoices_;    ///< of the command line, until another scene is opened
   std::shared_ptr<const scene::Scene> sceneToDress_;  ///< opened to be dressed, and not shown yet; the clock waits

@@ -120,6 +120,14 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
     case ui::UiAction::CancelDressing:
       cancelDressing();
       break;
+    case ui::UiAction::CompareErrors:
+      compareErrors(snapshot);
+      break;
+    case ui::UiAction::CancelComparison:
+      if (comparison_) {
+        comparison_->cancel();
+      }
+      break;
     case ui::UiAction::SaveProbes:
       saveProbes(snapshot);
       break;

@@ -1,3 +1,4 @@
+#include "report/error_sources.hpp"
 #include "report/number_text.hpp"
 #include "report/sections/cloth_with_reference.hpp"
 #include "report/sections/error_sources_view.hpp"
@@ -99,22 +100,11 @@ double diagonalDistance(const scene::Scene& scene, const Positions& positions) {
   return sum / static_cast<double>(positions.size());
 }
 
-/// Settings ("key=value") of a material that is a tenth stiffer in stretch, shear and bending.
+/// stifferMaterial as "key=value".
 std::vector<std::string> stiffer(const settings::Settings& settings) {
-  constexpr double factor = 1.1;
-  constexpr std::array springs{"stiffness"};
-  constexpr std::array fabric{"fabric.stretch_warp",    "fabric.stretch_weft",    "fabric.shear",
-                              "fabric.stiffening_warp", "fabric.stiffening_weft", "fabric.bend_warp",
-                              "fabric.bend_weft",       "fabric.bend_bias"};
   std::vector<std::string> changes;
-  const auto change = [&](const char* key) {
-    const auto value = std::get<double>(settings::settingValue(settings, settings::requireSetting(key)));
-    changes.push_back(fmt::format("{}={:.9g}", key, factor * value));
-  };
-  if (settings::usesFabric(settings)) {
-    std::ranges::for_each(fabric, change);
-  } else {
-    std::ranges::for_each(springs, change);
+  for (const scene::OwnSetting& change : stifferMaterial(settings)) {
+    changes.push_back(fmt::format("{}={:.9g}", change.info->key, std::get<double>(change.value)));
   }
   return changes;
 }
