@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -79,6 +80,12 @@ std::vector<int> selectedBy(const PinSelection& pins, const Source& source) {
 /// The pins of a cloth in groups, by the indices of its own mesh. Each vertex is in the first group that selects it.
 std::vector<PinGroup> choosePins(const ClothDescription& cloth, const settings::Settings& settings,
                                  const Source& source) {
+  if (cloth.frozen) {
+    PinGroup all;
+    all.vertices.resize(source.mesh.cloth.positions.size());
+    std::iota(all.vertices.begin(), all.vertices.end(), 0);
+    return {all};
+  }
   if (settings.mesh.pins == "shape") {
     PinGroup group = motionOfAll(cloth.pins);
     group.vertices = pinsByShape(source.mesh.cloth);

@@ -157,6 +157,7 @@ struct ClothDescription {
   Placement writtenPlacement;  ///< the one in the scene file
   std::optional<Pleats> pleats;
   std::vector<BandDescription> bands;
+  bool frozen = false;             ///< every vertex is pinned where it starts
   std::vector<PinSelection> pins;  ///< one per table of pins; a vertex belongs to the first one that selects it
   std::vector<OwnSetting> own;     ///< settings of this cloth, in the order in which they are assigned
 };

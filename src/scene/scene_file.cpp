@@ -54,6 +54,7 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
   cloth.rotation = degree * reader.vector("rotation", manyDegrees).value_or(Vec3::Zero());
   cloth.placement = readPlacement(reader);
   cloth.writtenPlacement = cloth.placement;
+  cloth.frozen = reader.flag("frozen").value_or(false);
   for (const TomlReader& band : reader.tables("bands")) {
     cloth.bands.push_back(readBand(band));
   }
@@ -121,7 +122,7 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
   }
   std::vector<ClothDescription> cloths;
   if (only) {
-    only->allowOnly({"mesh", "grid", "position", "rotation", "placement", "pleats", "bands"});
+    only->allowOnly({"mesh", "grid", "position", "rotation", "placement", "frozen", "pleats", "bands"});
     cloths.push_back(readCloth(*only, "[cloth]", folder));
     readAllPins(reader, cloths.front().pins);
     return cloths;
@@ -134,7 +135,7 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
   }
   for (const TomlReader& table : several) {
     table.allowOnly(
-        {"name", "mesh", "grid", "position", "rotation", "placement", "pleats", "bands", "pins", "settings"});
+        {"name", "mesh", "grid", "position", "rotation", "placement", "frozen", "pleats", "bands", "pins", "settings"});
     const std::string name = nameOfCloth(table, cloths);
     ClothDescription& cloth = cloths.emplace_back(readCloth(table, "[[cloths]]", folder));
     cloth.name = name;

@@ -163,6 +163,9 @@ void writeCloth(Writing& writing, std::size_t index) {
     toml.value("rotation", degreesText(cloth.rotation));
   }
   writePlacement(cloth.placement, toml);
+  if (cloth.frozen) {
+    toml.value("frozen", "true");
+  }
   if (cloth.pleats) {
     toml.value("pleats", fmt::format("{{ count = {}, gather = {} }}", cloth.pleats->count,
                                      settings::formatValue(cloth.pleats->gather)));

@@ -5,6 +5,10 @@
 
 #include <imgui_stdlib.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace drape::ui {
 namespace {
 
@@ -73,6 +77,44 @@ void saveSceneField(PanelContext& context) {
   }
 }
 
+/// The pinned vertices after a cloth was frozen. Without that it has the pins of the scene.
+std::vector<int> pinsAfter(const session::Snapshot& snapshot, std::size_t index, bool isFrozen) {
+  const scene::ClothPart& cloth = snapshot.scene->cloths[index];
+  const bool hasPins = !snapshot.scene->description.cloths[index].frozen;
+  std::vector<int> pins;
+  for (int v = 0; v < snapshot.model->vertexCount(); ++v) {
+    const bool isOfCloth = v >= cloth.firstVertex && v < cloth.firstVertex + cloth.vertexCount;
+    const bool ofScene = hasPins && snapshot.scene->model->pinned[v];
+    if (isOfCloth ? isFrozen || ofScene : snapshot.model->pinned[v]) {
+      pins.push_back(v);
+    }
+  }
+  return pins;
+}
+
+void frozenRow(PanelContext& context, std::size_t index) {
+  const scene::ClothPart& cloth = context.snapshot.scene->cloths[index];
+  const auto first = context.snapshot.model->pinned.begin() + cloth.firstVertex;
+  bool isFrozen = std::all_of(first, first + cloth.vertexCount, [](bool pinned) { return pinned; });
+  const std::string name = "frozen." + cloth.name;
+  ImGui::PushID(name.c_str());
+  beginRow(context, text::Sentence("Freeze {}", cloth.name));
+  if (ImGui::Checkbox("##frozen", &isFrozen)) {
+    context.output.commands.emplace_back(session::SetPinsCommand{pinsAfter(context.snapshot, index, isFrozen)});
+  }
+  context.buttons[name] = lastItemRect();
+  explainItem(context, name, "No vertex of this cloth moves. The other cloths meet it as they meet a body.");
+  ImGui::PopID();
+}
+
+/// One check box per cloth, if there are several.
+void frozenRows(PanelContext& context) {
+  const std::size_t count = context.snapshot.scene->cloths.size();
+  for (std::size_t i = 0; count > 1 && i < count; ++i) {
+    frozenRow(context, i);
+  }
+}
+
 }  // namespace
 
 void sceneRows(PanelContext& context) {
@@ -93,6 +135,7 @@ void meshRows(PanelContext& context) {
     factRow(context, fact.title, context.texts(fact.value));
   }
   factRow(context, "pinned", context.texts("{} vertices", text::formatCount(countPins(*context.snapshot.model))));
+  frozenRows(context);
   selectRow(context);
   placeRow(context);
   sewingRows(context);

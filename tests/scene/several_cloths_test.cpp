@@ -81,6 +81,20 @@ TEST(SeveralCloths, haveTheirOwnPositionsPinsMassesAndGrids) {
   EXPECT_NEAR(massOf(*scene, scene->cloths[1]), 0.6, 1e-12);
 }
 
+TEST(SeveralCloths, canBeFrozenWithAllTheirVertices) {
+  std::string text = twoSheets;
+  text.insert(text.find("position"), "frozen = true\n");
+  const auto scene = builtFrom(text);
+  for (int v = 0; v < scene->model->vertexCount(); ++v) {
+    EXPECT_EQ(scene->model->pinned[v], v <= 25) << v << ": all of the upper sheet, a corner of the lower one";
+  }
+  const auto fine = builtFrom(text + "subdivide = 1\n");
+  const ClothPart& upper = fine->cloths[0];
+  EXPECT_EQ(std::count(fine->model->pinned.begin(), fine->model->pinned.begin() + upper.vertexCount, true),
+            upper.vertexCount);
+  EXPECT_NE(refusalOf("[cloth]\ngrid = \"vertical\"\nfrozen = 3\n").find("frozen"), std::string::npos);
+}
+
 TEST(SeveralCloths, haveTheirOwnFabrics) {
   const std::string upper = "[[cloths]]\nname = \"upper\"\ngrid = \"horizontal\"\n";
   const std::string lower = "[[cloths]]\nname = \"lower\"\ngrid = \"horizontal\"\nposition = [0, -1, 0]\n";
