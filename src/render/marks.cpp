@@ -125,9 +125,16 @@ void Marks::drawContacts(float scale) const {
 void Marks::setPins(const session::Snapshot& snapshot) {
   pins_.clear();
   const std::vector<bool>& pinned = snapshot.model->pinned;
-  for (std::size_t i = 0; i < std::min(pinned.size(), snapshot.positions.size()); ++i) {
-    if (pinned[i]) {
-      pins_.emplace_back(snapshot.positions[i].cast<float>());
+  const int count = static_cast<int>(std::min(pinned.size(), snapshot.positions.size()));
+  for (const scene::ClothPart& cloth : snapshot.scene->cloths) {
+    const int end = std::min(cloth.firstVertex + cloth.vertexCount, count);
+    // Dots at every vertex would hide a frozen cloth.
+    const bool isFrozen =
+        std::find(pinned.begin() + cloth.firstVertex, pinned.begin() + end, false) == pinned.begin() + end;
+    for (int v = cloth.firstVertex; !isFrozen && v < end; ++v) {
+      if (pinned[v]) {
+        pins_.emplace_back(snapshot.positions[v].cast<float>());
+      }
     }
   }
   if (snapshot.model != pinnedModel_) {

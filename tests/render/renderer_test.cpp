@@ -225,6 +225,12 @@ TEST_F(RendererTest, AttachmentAndPinsAreShown) {
   const Image noPins = picture(unpinned);
   EXPECT_GT(compareImages(without, noPins, 8).pixels, 20);
   EXPECT_LT(compareImages(without, noPins, 8).pixels, 300);
+
+  model = std::make_shared<sim::ClothModel>(*snapshot.model);
+  model->pinned.assign(model->pinned.size(), true);
+  unpinned.model = model;
+  EXPECT_EQ(compareImages(picture(unpinned), noPins, 0).pixels, 0)
+      << "dots would hide a cloth that is frozen as a whole";
 }
 
 /// The sheet with a ghost at this distance behind (+) or in front (-) of it.
