@@ -650,7 +650,7 @@ const std::array table{
     SettingInfo{"subdivide", "Subdivision", "-", Scene, SettingEffect::Scene,
         IntegerField{[](auto& s) -> auto& { return s.mesh.subdivide; }, 0, 3},
         "How often each triangle of a mesh file is divided into four. The shape stays the same, and wrinkles become finer. "
-        "Each division makes a step about eight times as long.",
+        "Each division makes the computing time of a step about eight times as long.",
         {}, {}, SettingScope::MeshFile},
     SettingInfo{"pins", "Pins", "-", Scene, SettingEffect::Scene,
         textOf<[](auto& s) -> auto& { return s.mesh.pins; }>(wordsIn<pinSources>, labelIn<pinSources>),

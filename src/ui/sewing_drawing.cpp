@@ -10,8 +10,8 @@
 namespace drape::ui {
 namespace {
 
-// Colours that stand out from cloth of any colour, in both themes: blue and orange, which also those can tell apart
-// who see no red or no green.
+// Colours that stand out from cloth of any colour, in both themes. People who see no red or no green can tell blue and
+// orange apart.
 const ImVec4 firstColour{0.20F, 0.55F, 1.0F, 1.0F};
 const ImVec4 secondColour{1.0F, 0.60F, 0.10F, 1.0F};
 const ImVec4 hoverColour{1.0F, 1.0F, 1.0F, 1.0F};
