@@ -41,12 +41,7 @@ std::vector<Positions> motionOf(const scene::Scene& scene, const Settings& setti
     };
   }
   const Trajectory run = runTrajectory(scene, settings, checkpointsIn(plan.times.back()), watch);
-  std::vector<Positions> motion;
-  for (const double time : plan.times) {
-    const auto checkpoint = static_cast<std::size_t>(checkpointsIn(time));
-    motion.push_back(checkpoint < run.states.size() ? run.states[checkpoint].positions : Positions());
-  }
-  return motion;
+  return positionsAt(plan.times, run);
 }
 
 Settings referenceOf(Settings settings, const ErrorSourcesPlan& plan) {
@@ -63,10 +58,6 @@ Settings referenceOf(Settings settings, const ErrorSourcesPlan& plan) {
   return settings;
 }
 
-double distanceOf(const Positions& a, const Positions& b) {
-  return a.empty() || b.empty() ? std::numeric_limits<double>::infinity() : sim::meanDistance(a, b);
-}
-
 /// The parts of the runs in the whole time, roughly: the finer mesh has four times the vertices and twice the substeps.
 constexpr double costOfMethod = 1.0;
 constexpr double costOfReference = 4.0;
@@ -74,6 +65,19 @@ constexpr double costOfFinerMesh = 8.0 * costOfReference;
 constexpr double costOfAll = costOfMethod + 3.0 * costOfReference + costOfFinerMesh;
 
 }  // namespace
+
+std::vector<std::vector<Vec3>> positionsAt(std::span<const double> times, const Trajectory& run) {
+  std::vector<Positions> positions;
+  for (const double time : times) {
+    const auto checkpoint = static_cast<std::size_t>(checkpointsIn(time));
+    positions.push_back(checkpoint < run.states.size() ? run.states[checkpoint].positions : Positions());
+  }
+  return positions;
+}
+
+double distanceOf(const Positions& a, const Positions& b) {
+  return a.empty() || b.empty() ? std::numeric_limits<double>::infinity() : sim::meanDistance(a, b);
+}
 
 std::vector<OwnSetting> stifferMaterial(const Settings& settings) {
   constexpr double factor = 1.1;

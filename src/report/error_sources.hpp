@@ -6,7 +6,7 @@
 
 #include <functional>
 #include <memory>
-#include <string>
+#include <span>
 #include <vector>
 
 namespace drape::report {
@@ -14,6 +14,12 @@ namespace drape::report {
 /// The scene at its start, with a mesh of four times the triangles.
 [[nodiscard]] std::shared_ptr<const scene::Scene> withFinerMesh(const scene::SceneDescription& description,
                                                                 const settings::Settings& settings);
+
+/// The positions of a run at these times, multiples of checkpointInterval [m]; empty after the cloth blew up.
+[[nodiscard]] std::vector<std::vector<Vec3>> positionsAt(std::span<const double> times, const Trajectory& run);
+
+/// The mean distance of two sets of positions [m]; infinite if one of them is empty.
+[[nodiscard]] double distanceOf(const std::vector<Vec3>& a, const std::vector<Vec3>& b);
 
 /// The settings of a material that is stiffer by a tenth in stretch, shear and bending.
 [[nodiscard]] std::vector<scene::OwnSetting> stifferMaterial(const settings::Settings& settings);

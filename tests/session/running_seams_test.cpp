@@ -47,11 +47,6 @@ from = { cloth = "front", vertices = [0, 36, 72] }
 to = { cloth = "back", vertices = [8, 44, 80] }
 )";
 
-std::shared_ptr<const scene::Scene> opened(const std::string& text) {
-  const auto description = scene::parseScene(text, "test", "test.toml", std::filesystem::current_path());
-  return scene::buildScene(description, description.settings);
-}
-
 /// The pins of the second sheet along the side that is not sewn.
 constexpr const char* pinnedSide = "pins = { edges = [\"left\"] }";
 
@@ -59,7 +54,7 @@ constexpr const char* pinnedSide = "pins = { edges = [\"left\"] }";
 std::shared_ptr<const scene::Scene> sheets(const std::string& lines = pinnedSide, const std::string& tables = "") {
   std::string text = apart;
   text.replace(text.find('%'), 1, lines);
-  return opened(text + tables);
+  return testing::sceneFrom(text + tables);
 }
 
 /// Adds a seam along a side of both sheets.
@@ -207,7 +202,7 @@ TEST(RunningSeams, areSavedAndOpenToTheSameBits) {
   scene::SceneNow now = scene::unchanged(*original);
   now.sewing = simulation.sewing();
   const std::string text = scene::writeScene(*original, now, std::filesystem::current_path()).text;
-  Simulation saved(opened(text));
+  Simulation saved(testing::sceneFrom(text));
   EXPECT_EQ(saved.sewing(), simulation.sewing()) << text;
   simulation.apply(ResetCommand{});
   testing::takeSteps(simulation, 150);
@@ -289,7 +284,7 @@ class RunningBands : public ::testing::TestWithParam<const char*> {
     std::string text = apart;
     text.replace(text.find('%'), 1, lines);
     text.replace(text.find(fabric), std::string(fabric).size(), GetParam());
-    return opened(text);
+    return testing::sceneFrom(text);
   }
 };
 

@@ -47,8 +47,7 @@ time_step = "1/300"
 )";
 
 std::shared_ptr<const scene::Scene> built(const std::string& text = twoPieces) {
-  const auto description = scene::parseScene(text, "test", "test.toml", std::filesystem::current_path());
-  return scene::buildScene(description, description.settings);
+  return testing::sceneFrom(text);
 }
 
 void expectWelded(const Simulation& simulation) {

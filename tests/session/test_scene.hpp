@@ -1,9 +1,11 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "scene/scene_file.hpp"
 #include "session/simulation.hpp"
 #include "settings/settings_table.hpp"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,13 @@ inline std::shared_ptr<const scene::Scene> builtIn(const std::string& name,
   for (const std::string& expression : settings) {
     settings::assignSettingExpression(description.settings, expression);
   }
+  return scene::buildScene(description, description.settings);
+}
+
+/// A scene from the text of a scene file.
+inline std::shared_ptr<const scene::Scene> sceneFrom(const std::string& text) {
+  const scene::SceneDescription description =
+      scene::parseScene(text, "test", "test.toml", std::filesystem::current_path());
   return scene::buildScene(description, description.settings);
 }
 

@@ -1,4 +1,5 @@
 #include "app/command_line.hpp"
+#include "app/error_sources_json.hpp"
 #include "app/headless/commands.hpp"
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
@@ -39,15 +40,6 @@ void printTable(const std::vector<sim::ErrorSources>& sources) {
                              millimetres(at.mesh), millimetres(at.material), millimetres(at.start));
   }
   std::cout << messages::inWords(sources.back()).english() << '\n';
-}
-
-nlohmann::ordered_json toJson(const std::vector<sim::ErrorSources>& sources) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const sim::ErrorSources& at : sources) {
-    json.push_back(
-        {{"time", at.time}, {"method", at.method}, {"mesh", at.mesh}, {"material", at.material}, {"start", at.start}});
-  }
-  return json;
 }
 
 void run(ErrorsArguments& arguments) {

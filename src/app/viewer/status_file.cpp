@@ -1,6 +1,7 @@
 #include "app/viewer/status_file.hpp"
 
 #include "app/choice_json.hpp"
+#include "app/error_sources_json.hpp"
 #include "app/output_file.hpp"
 #include "messages/error.hpp"
 #include "render/picking.hpp"
@@ -310,12 +311,7 @@ Json boundsOfCloth(const session::Snapshot& snapshot) {
 }
 
 Json errorsOf(const ui::ErrorComparisonView& errors) {
-  Json sources = Json::array();
-  for (const sim::ErrorSources& at : errors.sources) {
-    sources.push_back(
-        {{"time", at.time}, {"method", at.method}, {"mesh", at.mesh}, {"material", at.material}, {"start", at.start}});
-  }
-  return {{"share", errors.share ? Json(*errors.share) : Json(nullptr)}, {"sources", sources}};
+  return {{"share", errors.share ? Json(*errors.share) : Json(nullptr)}, {"sources", app::toJson(errors.sources)}};
 }
 
 Json piercingOf(const ui::UiStats& stats) {

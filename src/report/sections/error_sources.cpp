@@ -52,12 +52,7 @@ std::vector<Positions> motionOf(const scene::Scene& scene, const settings::Setti
   constexpr double maxSeconds = 300.0;
   const TimeLimit limit(checkStop, maxSeconds);
   const Trajectory run = runTrajectory(scene, settings, measuredCheckpoints, limit.watch());
-  std::vector<Positions> motion;
-  for (const double time : measuredTimes) {
-    const auto checkpoint = static_cast<std::size_t>(checkpointsIn(time));
-    motion.push_back(checkpoint < run.states.size() ? run.states[checkpoint].positions : Positions());
-  }
-  return motion;
+  return positionsAt(measuredTimes, run);
 }
 
 /// Mean distance of the vertices of a coarse grid from those of a finer one in the same places [m].
@@ -136,10 +131,6 @@ struct ComparedErrors {
   std::shared_ptr<const scene::Scene> moved;
   std::shared_ptr<const scene::Scene> stiff;
 };
-
-double distanceOf(const Positions& a, const Positions& b) {
-  return a.empty() || b.empty() ? std::numeric_limits<double>::infinity() : sim::meanDistance(a, b);
-}
 
 ReportRows measureSources(const ComparedErrors& compared, const std::function<void()>& checkStop) {
   const auto with = [&](const scene::Scene& scene, const std::vector<std::string>& changes) {
