@@ -86,6 +86,37 @@ bool isBlocked(const std::vector<std::size_t>& piece, const Vec3& displacement, 
   });
 }
 
+/// A number from -1 to 1 that looks random and depends on the vertex only.
+double scatter(std::size_t vertex) {
+  Fingerprint fingerprint;
+  fingerprint.add(std::uint64_t{vertex});
+  return std::ldexp(static_cast<double>(fingerprint.value() >> 11U), -52) - 1.0;
+}
+
+/// Moves the free vertices along their normals by up to `distance` [m].
+void disturb(const ClothModel& model, double distance, ClothState& state) {
+  const std::vector<Vec3> before = state.positions;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    if (!model.pinned[v]) {
+      state.positions[v] += distance * scatter(v) * vertexNormal(model, before, static_cast<int>(v));
+    }
+  }
+}
+
+void forgetReference(StepMemory& memory) {
+  memory.sleepReference.reset();
+  memory.disturbed = false;
+}
+
+void setReference(const ClothState& state, StepMemory& memory) {
+  memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
+  memory.sleepReferenceTime = state.time;
+}
+
+bool windActs(const AirParameters& air) {
+  return air.acts() && !air.wind.isZero(0.0);
+}
+
 /// Whether the state is still the one that fell asleep.
 bool isUnchanged(const StepMemory& memory, const ClothState& state) {
   return state.positions == *memory.sleepReference &&
@@ -106,7 +137,7 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
                               ClothState& state) {
   const ModelData& data = models_.get(model, dataOf);
   if (!canSleep(data, conditions)) {
-    memory.sleepReference.reset();
+    forgetReference(memory);
     memory.sleepFingerprint = 0;
     return false;
   }
@@ -114,16 +145,15 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
     if (staysAsleep(model, conditions, memory, state)) {
       return true;
     }
-    memory.sleepReference.reset();
+    forgetReference(memory);
     memory.sleepFingerprint = 0;
   }
   const double distance =
       std::min(tuning.sleepToleranceFraction * conditions.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
   if (memory.sleepReference == nullptr || !isNearReference(state.positions, distance, memory)) {
-    memory.sleepReference.reset();
+    forgetReference(memory);
     if (memory.steps % tuning.sleepCheckInterval == 0) {
-      memory.sleepReference = std::make_shared<const std::vector<Vec3>>(state.positions);
-      memory.sleepReferenceTime = state.time;
+      setReference(state, memory);
     }
     return false;
   }
@@ -131,7 +161,13 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
     return false;
   }
   if (!isSupported(model, data, conditions, state)) {
-    memory.sleepReference.reset();
+    forgetReference(memory);
+    return false;
+  }
+  if (!memory.disturbed && data.freePieces.empty() && windActs(conditions.parameters.air)) {
+    disturb(model, tuning.disturbance * distance, state);
+    setReference(state, memory);
+    memory.disturbed = true;
     return false;
   }
   std::fill(state.velocities.begin(), state.velocities.end(), Vec3::Zero());

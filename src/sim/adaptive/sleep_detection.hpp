@@ -32,8 +32,10 @@ struct SleepConditions {
 /// Cloth sleeps when for one second no vertex moved further than a tenth of the error tolerance or a thousandth of the
 /// mean edge length. Of cloth that settles (adaptive::settle) the mean displacement counts. Damping or drag must act,
 /// there must be no attachment, and pins or bodies must support every piece: a piece without pins must lie on a body in
-/// the direction of its weight and the air's force. Its velocities are then set to zero. It sleeps as long as its state
-/// and everything that acts on it (settings, pins, masses, bodies) are bitwise the same.
+/// the direction of its weight and the air's force. Cloth in wind whose pieces all have pins must also stay in place
+/// for one more second after a disturbance that is too small to be seen: a sheet in line with the wind is in an
+/// unstable equilibrium, in which only rounding would move it. The velocities of sleeping cloth are set to zero. It
+/// sleeps as long as its state and everything that acts on it (settings, pins, masses, bodies) are bitwise the same.
 class SleepDetection {
  public:
   /// Whether the cloth sleeps, so that the step has nothing to do. Updates `memory`.

@@ -40,6 +40,7 @@ struct StepMemory {
   std::shared_ptr<const std::vector<Vec3>> sleepReference = {};
   double sleepReferenceTime = 0.0;     ///< [s]
   std::uint64_t sleepFingerprint = 0;  ///< of everything that acts on the sleeping cloth; 0: it does not sleep
+  bool disturbed = false;              ///< cloth in wind was disturbed at `sleepReferenceTime` (SleepDetection)
   /// Positions at `settlingReferenceTime`, from which settle() measures the motion [m]; null: it does not measure.
   std::shared_ptr<const std::vector<Vec3>> settlingReference = {};
   double settlingReferenceTime = 0.0;  ///< [s]

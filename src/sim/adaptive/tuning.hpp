@@ -216,6 +216,9 @@ struct AutoTuning {
   double sleepToleranceFraction = 0.1;
   double sleepEdgeFraction = 1e-3;
   double sleepTime = 1.0;
+  /// Cloth in wind is disturbed before it sleeps, by this fraction of the distance above [-]. Larger: visible.
+  /// Smaller: the disturbance is lost in rounding, or an instability is not noticed within `sleepTime`.
+  double disturbance = 0.01;
   /// Steps between two reference positions of moving cloth [-]. Larger: cheaper, sleep begins later.
   int sleepCheckInterval = 16;
   /// Cloth in contact settles after so many intervals [-] of that time [s] in which its mean displacement was below the

@@ -178,6 +178,9 @@ void stepMemoryFields(Archive& archive, adaptive::StepMemory& memory) {
   pointerFields(archive, memory.sleepReference, [](auto& to, auto& positions) { to(positions); });
   archive(memory.sleepReferenceTime);
   archive(memory.sleepFingerprint);
+  std::uint8_t disturbed = memory.disturbed ? 1 : 0;
+  archive(disturbed);
+  memory.disturbed = disturbed != 0;
   pointerFields(archive, memory.settlingReference, [](auto& to, auto& positions) { to(positions); });
   archive(memory.settlingReferenceTime);
   archive(memory.slowIntervals);
