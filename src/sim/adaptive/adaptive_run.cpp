@@ -81,6 +81,8 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   for (std::vector<T>* energy : {&firstEnergy_, &lastEnergy_, &startEnergy_, &endEnergy_}) {
     energy->resize(lanes);
   }
+  visibleStart_.resize(request.start && plan.softens ? lanes : 0);
+  visibleEnd_.resize(request.end && plan.softens ? lanes : 0);
   firstCoarse_ = lastCoarse_ = startCoarse_ = endCoarse_ = 0.0;
   contactWorkToLast_ = 0.0;
   const int threads = simd::usefulThreads(cloth_->layout, parameters.threads);
@@ -95,10 +97,12 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
     if (request.start) {
       team_.arriveAndWait();
       measure(plan, startEnergy_, startCoarse_, share);
+      measureVisible(plan, visibleStart_, share);
     }
     move(model, inputs, plan, substep, share);
     if (request.end) {
       measure(plan, endEnergy_, endCoarse_, share);
+      measureVisible(plan, visibleEnd_, share);
     }
   });
   const double ofOrigin = parameters.gravity * cloth_->origin.y() * model.totalMass();
@@ -107,6 +111,9 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
           .start = request.start ? sumOfLanes(startEnergy_) + startCoarse_ + ofOrigin : 0.0,
           .end = request.end ? sumOfLanes(endEnergy_) + endCoarse_ + ofOrigin : 0.0,
           .ends = request.end,
+          .visibleStart = visibleStart_.empty() ? 0.0 : sumOfLanes(visibleStart_) + ofOrigin,
+          .visibleEnd = visibleEnd_.empty() ? 0.0 : sumOfLanes(visibleEnd_) + ofOrigin,
+          .levels = startCoarse_,
           .contactWork = contacts_.work(),
           .contactWorkToLast = contactWorkToLast_};
 }
@@ -270,6 +277,25 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   }
   still.energy = energy.data();
   kick(still, plan, T(0), &coarseEnergy, share);
+}
+
+/// The same as if springs were not softened. @param energy empty if they are not
+template <typename T>
+void AdaptiveRun<T>::measureVisible(StepPlan plan, std::vector<T>& energy, const simd::StepShare& share) {
+  if (energy.empty()) {
+    return;
+  }
+  simd::SliceStep<T> still = step_;
+  still.timeStep = T(0);
+  still.damping = still.drag = still.lift = T(0);
+  still.updatesVelocity = true;
+  still.stiffnessScales = nullptr;
+  still.aggregates = nullptr;
+  still.aggregateAccelerations = nullptr;
+  still.energy = energy.data();
+  plan.usesCoarseLevels = false;
+  double none = 0.0;
+  kick(still, plan, T(0), &none, share);
 }
 
 template <typename T>

@@ -21,11 +21,16 @@ namespace drape::sim::adaptive {
 /// is 1/2 m v.v + V(x), with the full stiffness of the springs unless they are softened. That energy oscillates by up
 /// to (h omega)^2 / 4 of the vibration energy.
 struct StepEnergy {
-  double first = 0.0;              ///< in the middle of the first substep [J]
-  double last = 0.0;               ///< in the middle of the last substep [J]
-  double start = 0.0;              ///< at the start of the step, if requested [J]
-  double end = 0.0;                ///< at the end of the step, if requested [J]
-  bool ends = false;               ///< `start` and `end` are known
+  double first = 0.0;  ///< in the middle of the first substep [J]
+  double last = 0.0;   ///< in the middle of the last substep [J]
+  double start = 0.0;  ///< at the start of the step, if requested [J]
+  double end = 0.0;    ///< at the end of the step, if requested [J]
+  bool ends = false;   ///< `start` and `end` are known
+  /// As `start` and `end`, with the full stiffness of softened springs and without coarse levels, if springs are
+  /// softened [J].
+  double visibleStart = 0.0;
+  double visibleEnd = 0.0;
+  double levels = 0.0;             ///< part of `start` in the coarse levels, if `start` was requested [J]
   double contactWork = 0.0;        ///< of contacts in the substeps [J]
   double contactWorkToLast = 0.0;  ///< the same up to the middle of the last substep [J]
 };
@@ -75,6 +80,7 @@ class AdaptiveRun {
   void damp(double drift, const simd::StepShare& share);
   void resolveContacts(double time, double drift, bool isLast, const simd::StepShare& share);
   void measure(const StepPlan& plan, std::vector<T>& energy, double& coarseEnergy, const simd::StepShare& share);
+  void measureVisible(StepPlan plan, std::vector<T>& energy, const simd::StepShare& share);
 
   simd::ThreadTeam team_;
   simd::SlicedClothCache<T> cloths_;
@@ -94,6 +100,8 @@ class AdaptiveRun {
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;
   std::vector<T> endEnergy_;
+  std::vector<T> visibleStart_;
+  std::vector<T> visibleEnd_;
   double firstCoarse_ = 0.0;  // [J]
   double lastCoarse_ = 0.0;   // [J]
   double startCoarse_ = 0.0;  // [J]

@@ -2,8 +2,10 @@
 
 #include "sim/adaptive/tuning.hpp"
 #include "sim/fabric/fabric.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/model/pieces.hpp"
 #include "sim/motion/inner_motion.hpp"
+#include "sim/motion/stretching_motion.hpp"
 #include "sim/simd/convert.hpp"
 
 #include <algorithm>
@@ -33,6 +35,15 @@ double massTimesHeight(const ClothModel& model, const ClothState& state) {
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
+/// The kinetic energy of a cloth's motion as a whole, without rotation [J].
+double translationEnergy(const ClothModel& model, const ClothState& state) {
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t v = 0; v < state.velocities.size(); ++v) {
+    momentum += model.vertexMass[v] * state.velocities[v];
+  }
+  return 0.5 * momentum.squaredNorm() / model.totalMass();
+}
+
 /// The fingerprint of everything that the energy depends on, except the plan.
 std::uint64_t fingerprintOf(const ClothModel& model, const CommonParameters& parameters, const ClothState& state) {
   return sumOf(state.positions) + 7 * sumOf(state.velocities) + bitsOf(parameters.material.stiffness) +
@@ -42,7 +53,9 @@ std::uint64_t fingerprintOf(const ClothModel& model, const CommonParameters& par
 
 /// The plan's part of the fingerprint.
 std::uint64_t fingerprintOf(const StepPlan& plan) {
-  return plan.softens ? bitsOf(plan.hOmegaLimit) + static_cast<std::uint64_t>(plan.substeps) : 0;
+  return plan.softens ? bitsOf(plan.hOmegaLimit) + 2 * static_cast<std::uint64_t>(plan.substeps) +
+                            (plan.usesCoarseLevels ? 1 : 0)
+                      : 0;
 }
 
 /// The energy of rounding errors times a margin [J]; 0 with gravity, whose energy is far above it. Cloth at rest
@@ -72,10 +85,14 @@ double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<
   if (energy <= 0.0) {
     return 0.0;
   }
+  const double stretching = removeStretchingMotion(model, energy, tuning.stretchingSweeps, state);
+  if (stretching >= energy) {
+    return energy;
+  }
   const InnerMotion inner(model, freePieces, state);
-  const double left = std::max(0.0, inner.energy() - energy);
+  const double left = std::max(0.0, inner.energy() - (energy - stretching));
   inner.scale(inner.energy() > 0.0 ? std::sqrt(left / inner.energy()) : 0.0, state);
-  return inner.energy() - left;
+  return stretching + inner.energy() - left;
 }
 
 void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
@@ -87,11 +104,18 @@ void EnergyGuard::prepare(const ClothModel& model, const LocalRates& rates, cons
   maxWindWork_ = maxWindWork(rates, parameters);
   const bool isFree = rates.pinnedLength == 0.0;
   airEnergy_ = isFree && maxWindWork_ > 0.0 ? 0.5 * rates.mass * parameters.air.wind.squaredNorm() : 0.0;
+  translation_ = isFree ? translationEnergy(model, state) : 0.0;
+  roundingEnergy_ += tuning.kineticRounding * roundoff * translation_;
   dissipates_ = parameters.material.damping != 0.0 || parameters.air.acts();
 }
 
 bool EnergyGuard::isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const {
   return memory.fingerprint == fingerprint_ + fingerprintOf(plan);
+}
+
+bool EnergyGuard::levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels) const {
+  const double explained = fallEnergy_ + airEnergy_;
+  return levels > explained && levels > explained + kineticEnergy(model, state);
 }
 
 bool EnergyGuard::isMeasurementDue(const StepPlan& plan, const StepMemory& memory) const {
@@ -101,10 +125,12 @@ bool EnergyGuard::isMeasurementDue(const StepPlan& plan, const StepMemory& memor
          memory.energyDrift > tuning.calmDriftFraction * tuning.maxEnergyDrift * referenceEnergy(memory.energy, 1.0);
 }
 
-/// Kinetic and elastic energy, a fraction of the energy of a fall, and the energy of rounding. For free cloth in wind
-/// also the kinetic energy relative to the air, because the wind's work follows from the motion relative to it.
+/// Kinetic and elastic energy without that of the motion as a whole, which a fall makes arbitrarily large, a fraction
+/// of the energy of a fall, and the energy of rounding. For free cloth in wind also the kinetic energy relative to the
+/// air, because the wind's work follows from the motion relative to it.
 double EnergyGuard::referenceEnergy(double startEnergy, double fallFraction) const {
-  return std::max(0.0, startEnergy - startPotential_) + fallFraction * fallEnergy_ + airEnergy_ + roundingEnergy_;
+  return std::max(0.0, startEnergy - startPotential_ - translation_) + fallFraction * fallEnergy_ + airEnergy_ +
+         roundingEnergy_;
 }
 
 bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, StepMemory& memory) const {
@@ -136,20 +162,56 @@ bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, 
 
 void EnergyGuard::store(const ClothModel& model, const CommonParameters& parameters, const StepPlan& plan,
                         const StepEnergy& energy, double work, StepMemory& memory, ClothState& state) {
-  memory.fingerprint = fingerprintOf(model, parameters, state) + fingerprintOf(plan);
+  const bool continues = memory.fingerprint - memory.planFingerprint == fingerprint_;
+  const double visibleStart = continues && memory.planFingerprint != 0 ? memory.visibleEnergy : energy.visibleStart;
+  const bool changesStiffness =
+      continues && plan.softens && memory.planFingerprint != 0 && memory.planFingerprint != fingerprintOf(plan);
+  memory.planFingerprint = fingerprintOf(plan);
   if (!energy.ends) {
+    memory.fingerprint = fingerprintOf(model, parameters, state) + memory.planFingerprint;
     return;
   }
+  memory.stiffeningEnergy += changesStiffness ? energy.start - memory.energy : 0.0;
+  memory.stiffeningEnergy = plan.softens ? memory.stiffeningEnergy : 0.0;
   const double allowed = tuning.maxEnergyDrift * referenceEnergy(energy.start, 1.0);
   memory.energyDrift += energy.end - energy.start - energy.contactWork - work;
+  if (memory.energyDrift < 0.0 && memory.stiffeningEnergy > 0.0) {
+    const double paid = std::min(-memory.energyDrift, memory.stiffeningEnergy);
+    memory.energyDrift += paid;
+    memory.stiffeningEnergy -= paid;
+  }
   if (dissipates_ || work > 0.0) {
     memory.energyDrift = std::max(0.0, memory.energyDrift);
   }
-  const double removed = removeInnerMotion(model, pieces_.get(model, freePieces), memory.energyDrift - allowed, state);
-  memory.energyDrift -= removed;
+  const double excess = std::max(0.0, memory.energyDrift - allowed);
+  const double removed =
+      removeInnerMotion(model, pieces_.get(model, freePieces), excess + std::max(0.0, memory.stiffeningEnergy), state);
+  memory.energyDrift -= std::min(excess, removed);
+  memory.stiffeningEnergy -= std::max(0.0, removed - excess);
   memory.energy = energy.end - removed;
-  if (removed > 0.0) {
-    memory.fingerprint = fingerprintOf(model, parameters, state) + fingerprintOf(plan);
+  if (plan.softens) {
+    limitVisibleDrift(model, energy, visibleStart, work, removed, memory, state);
+  }
+  memory.fingerprint = fingerprintOf(model, parameters, state) + memory.planFingerprint;
+}
+
+/// Adds an accepted step to the drift of the energy with the full stiffness, and removes energy from the rates of
+/// stretch while that drift is too large. @param start that energy at the start  @param removed the energy that was
+/// removed from the motion since the end of the step [J]
+void EnergyGuard::limitVisibleDrift(const ClothModel& model, const StepEnergy& energy, double start, double work,
+                                    double removed, StepMemory& memory, ClothState& state) const {
+  memory.visibleDrift += energy.visibleEnd - removed - start - energy.contactWork - work;
+  if (dissipates_ || work > 0.0) {
+    memory.visibleDrift = std::max(0.0, memory.visibleDrift);
+  }
+  const double excess = memory.visibleDrift - tuning.maxVisibleDrift * referenceEnergy(start, 1.0);
+  const double fromStretch = excess > 0.0 ? removeStretchingMotion(model, excess, tuning.visibleSweeps, state) : 0.0;
+  memory.visibleEnergy = energy.visibleEnd - removed - fromStretch;
+  memory.visibleDrift -= fromStretch;
+  memory.energy -= fromStretch;
+  memory.energyDrift -= fromStretch;
+  if (dissipates_) {
+    memory.energyDrift = std::max(0.0, memory.energyDrift);
   }
 }
 

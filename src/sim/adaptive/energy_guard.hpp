@@ -23,7 +23,10 @@ double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<
 /// - that of the energy which a stable scheme conserves, from the first to the last substep. If it grows, the step must
 ///   be retried. Oscillations do not count;
 /// - that of the visible energy at the ends of steps. It may rise by at most 0.4 % of the reference energy; kinetic
-///   energy above that is removed. Changes between two steps, by contact, pins or settings, do not count.
+///   energy above that is removed, from the rates of stretch first. Changes between two steps, by contact, pins or
+///   settings, do not count, but changes of the stiffness of softened springs do.
+/// Where springs are softened, the energy with their full stiffness has a third drift. While that is too large, energy
+/// is removed from the rates of stretch only: the weight stretches soft springs further than the full stiffness allows.
 class EnergyGuard {
  public:
   /// Prepares for a step from `state`.
@@ -33,6 +36,12 @@ class EnergyGuard {
 
   /// Whether the energy at the start of the step is known: it is then the energy at the end of the previous step.
   [[nodiscard]] bool isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const;
+
+  /// Whether coarse levels store more energy than the weight and the motion of the cloth can have put into them, as
+  /// where crumpled or reflected cloth stretches them. It would go into the softened springs, whose visible energy is
+  /// many times their own. The step should then do without levels.
+  /// @param levels energy of the levels at the start [J]
+  [[nodiscard]] bool levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels) const;
 
   /// Whether to measure the energy at the end of the step, which costs a force evaluation. In steps of few evaluations
   /// it is not measured every time, unless wind acts, the drift is large or a step was retried lately.
@@ -48,6 +57,9 @@ class EnergyGuard {
              const StepEnergy& energy, double work, StepMemory& memory, ClothState& state);
 
  private:
+  void limitVisibleDrift(const ClothModel& model, const StepEnergy& energy, double start, double work, double removed,
+                         StepMemory& memory, ClothState& state) const;
+
   /// The reference energy that drifts are compared with [J].
   [[nodiscard]] double referenceEnergy(double startEnergy, double fallFraction) const;
 
@@ -55,6 +67,7 @@ class EnergyGuard {
   double fallEnergy_ = 0.0;        // m g D, the energy of a fall by the cloth's diagonal [J]
   double roundingEnergy_ = 0.0;    // energy of rounding errors, times a margin [J]
   double startPotential_ = 0.0;    // potential energy at the start [J]
+  double translation_ = 0.0;       // kinetic energy of free cloth as a whole at the start [J]
   std::uint64_t fingerprint_ = 0;  // of the state and the settings at the start
   bool dissipates_ = false;        // damping or air remove energy
   double airEnergy_ = 0.0;         // 1/2 m w^2 of free cloth in wind of speed w [J]

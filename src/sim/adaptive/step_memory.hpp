@@ -29,6 +29,14 @@ struct StepMemory {
   double energyDrift = 0.0;        ///< drift of the energy at the ends of steps [J]
   double energy = 0.0;             ///< at the end of the last step [J]
   std::uint64_t fingerprint = 0;   ///< of the state and the settings that `energy` belongs to; 0: not known
+  /// The part of the plan in `fingerprint`: the stiffness of softened springs; 0: they have their full stiffness.
+  std::uint64_t planFingerprint = 0;
+  /// Energy that changes of the stiffness of softened springs have added and that is still to be removed; negative:
+  /// that they have taken [J].
+  double stiffeningEnergy = 0.0;
+  double visibleEnergy = 0.0;  ///< as `energy`, with the full stiffness of softened springs, without coarse levels [J]
+  double visibleDrift = 0.0;   ///< drift of that energy [J]
+  int withoutLevels = 0;       ///< number of steps that are still to be taken without coarse levels [-]
   /// Root mean square of the vertices' displacement in the last step over its duration [m/s], for fabrics. Vibration
   /// hardly counts.
   double speed = 0.0;

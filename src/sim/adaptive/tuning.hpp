@@ -108,6 +108,9 @@ struct AutoTuning {
   /// Allowed drift of the energy at the ends of steps, as a fraction of the reference energy [-]. Kinetic energy above
   /// that is removed. Larger: visible energy gain. Smaller: more damping of violent motion.
   double maxEnergyDrift = 0.004;
+  /// The same for the energy with the full stiffness of softened springs; energy above that is removed from the rates
+  /// of stretch only [-].
+  double maxVisibleDrift = 0.001;
   /// From this drift on the step is retried instead [-]. Larger: more kinetic energy is removed at once.
   double maxRemovedEnergy = 0.05;
   /// From this fraction of `maxEnergyDrift` on the energy is measured in each step [-]. Larger: drift can be noticed
@@ -119,6 +122,13 @@ struct AutoTuning {
   int maxRetries = 3;
   /// Largest retry level that a step starts with [-].
   int maxRetryLevel = 2;
+  /// Error of the kinetic energy of free cloth by rounding, in unit roundoffs of that of its motion as a whole [-].
+  double kineticRounding = 100.0;
+  /// Sweeps in which the energy guard removes energy from the rates of stretch before it slows down all motion [-].
+  /// Larger: less of the swinging motion is removed, at a higher cost.
+  int stretchingSweeps = 4;
+  /// The same in a step in which only the energy with the full stiffness is too large [-].
+  int visibleSweeps = 1;
   /// Steps without a retry after which the retry level falls by one [-]. Larger: more careful for longer.
   int calmSteps = 16;
   /// Factor on the clamping limit in a retry of softened springs [-], until it falls below `minRetryHOmega`; then the

@@ -170,6 +170,11 @@ void stepMemoryFields(Archive& archive, adaptive::StepMemory& memory) {
   archive(memory.energyDrift);
   archive(memory.energy);
   archive(memory.fingerprint);
+  archive(memory.planFingerprint);
+  archive(memory.stiffeningEnergy);
+  archive(memory.visibleEnergy);
+  archive(memory.visibleDrift);
+  archive(memory.withoutLevels);
   archive(memory.speed);
   archive(memory.doubleSteps);
   archive(memory.everySubstep);

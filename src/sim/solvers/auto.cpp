@@ -73,6 +73,7 @@ class AdaptiveStep {
     for (int i = 0; i < memory.retryLevel; ++i) {
       plan = adaptive::saferPlan(plan);
     }
+    plan.usesCoarseLevels = plan.usesCoarseLevels && memory.withoutLevels == 0;
     plan.substeps *= parameters.automatic.refinement;
     const double budget = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
     adaptive::StepChoice choice{.order = plan.scheme == adaptive::ExplicitScheme::Pefrl ? 4 : 2,
@@ -93,6 +94,7 @@ class AdaptiveStep {
     }
     updateRetryLevel(saferPlans_, memory);
     memory.everySubstep = std::max(0, memory.everySubstep - 1);
+    memory.withoutLevels = std::max(0, memory.withoutLevels - 1);
     memory.steps += 1;
     if (memory.steps == 2 * adaptive::tuning.estimateInterval) {
       memory.steps = adaptive::tuning.estimateInterval;
@@ -118,10 +120,17 @@ class AdaptiveStep {
       adaptive::StepEnergy energy =
           run_.run(model, rates, parameters, inputs, plan, state, {measuring && !startIsKnown, measuring});
       energy.start = startIsKnown ? memory.energy : energy.start;
+      energy.visibleStart = startIsKnown ? memory.visibleEnergy : energy.visibleStart;
       const double work = windWork(model, rates, parameters, inputs, state) + attachmentWork(model, inputs, state) +
                           pinWork(model, parameters, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
+      if (plan.usesCoarseLevels && guard_.levelsStoreTooMuch(model, state, energy.levels)) {
+        plan.usesCoarseLevels = false;
+        memory.withoutLevels = adaptive::tuning.calmSteps;
+        ++choice.retries;
+        continue;
+      }
       if (!guard_.hasGrown(energy, work, isRetry, memory)) {
         before_ = model.fabric ? state.positions : std::vector<Vec3>();
         run_.store(state);

@@ -189,6 +189,28 @@ TEST_F(DecidingOnAStep, removesTheVisibleEnergyAboveTheAllowedDriftFromTheMotion
   EXPECT_NEAR(memory.energy, potential + tuning.maxEnergyDrift * fall, 1e-9 * fall);
 }
 
+TEST_F(DecidingOnAStep, removesTheEnergyThatAStifferPlanAddsToSoftenedSprings) {
+  const StepPlan softer{.substeps = 4, .hOmegaLimit = 1.0, .softens = true};
+  const StepPlan stiffer{.substeps = 4, .hOmegaLimit = 1.8, .softens = true};
+  const auto next = [&](const StepPlan& plan, double start) {
+    guard.prepare(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon(),
+                  Vec3::Zero());
+    StepEnergy energy = growth(0.0, 0.0);
+    energy.start = energy.end = potential + start;
+    guard.store(*model, parameters, plan, energy, 0.0, memory, state);
+  };
+  const double before = energyOf(*model, parameters, state).kinetic;
+  const double added = 0.03 * fall;
+  next(stiffer, 0.0);
+  next(softer, -0.1 * fall);
+  next(stiffer, 0.0);
+  EXPECT_EQ(energyOf(*model, parameters, state).kinetic, before) << "it only got back what the softer plan took";
+  next(softer, -0.1 * fall);
+  next(stiffer, added);
+  EXPECT_NEAR(before - energyOf(*model, parameters, state).kinetic, added, 1e-9 * fall);
+  EXPECT_NEAR(memory.energy, potential, 1e-9 * fall);
+}
+
 TEST_F(DecidingOnAStep, leavesTheMotionAloneWhileTheDriftIsAllowed) {
   const std::uint64_t before = stateHash(state);
   guard.store(*model, parameters, StepPlan{}, growth(0.0, 0.9 * tuning.maxEnergyDrift * fall), 0.0, memory, state);

@@ -1,4 +1,5 @@
 #include "fabric_cloths.hpp"
+#include "sim/adaptive/step_memory.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/measures/measures.hpp"
@@ -582,6 +583,74 @@ TEST(Auto, conservesTheMomentumOfFreeClothWithTheFallbackSolver) {
   EXPECT_GT(fallbackSteps, 0) << "this start is not hard enough";
   EXPECT_LT((linearMomentum(*model, state) - linear).norm(), 1e-10 * linear.norm());
   EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
+}
+
+/// Cloth with a budget so small that its springs keep 0.2 % of their stiffness.
+StepParameters soft() {
+  StepParameters parameters = stiff(1e5);
+  parameters.timeStep = frame;
+  parameters.automatic.costBudget = 2.0;
+  parameters.automatic.soften = true;
+  return parameters;
+}
+
+double fallEnergy(const ClothModel& model, const StepParameters& parameters) {
+  return model.totalMass() * parameters.gravity * diagonalOf(model);
+}
+
+/// With the stiffness that it uses. Retries lower that stiffness, and later steps raise it again.
+TEST(Auto, gainsNoEnergyWhenTheStiffnessOfSoftenedSpringsRises) {
+  const auto model = buildClothModel(testing::sheet(17), 0.1, MassLumping::Area, {0});
+  const StepParameters parameters = soft();
+  Stepper stepper("auto");
+  ClothState state = stateAtRest(model->restPositions);  // upright above its pin
+  for (Vec3& position : state.positions) {
+    position = Vec3(position.x(), position.z(), 1e-4 * std::sin(70.0 * position.x()));
+  }
+  double highest = -1e9;
+  double start = 0.0;
+  for (int step = 0; step < 1500; ++step) {
+    stepper.step(*model, parameters, {}, state);
+    const double energy = adaptive::stepMemoryOf(state).energy;
+    start = step == 0 ? energy : start;
+    highest = std::max(highest, energy);
+  }
+  EXPECT_LT(highest - start, 0.01 * fallEnergy(*model, parameters));
+}
+
+/// With the full stiffness.
+TEST(Auto, gainsNoVisibleEnergyFromAReflectedOrCrumpledStartOfSoftenedCloth) {
+  const auto model = buildClothModel(testing::sheet(17), 0.1, MassLumping::Area, {0, 16});
+  const StepParameters parameters = soft();
+  for (const Vec3& factors : {Vec3(-1.0, 1.0, 1.0), Vec3(0.01, 0.01, 0.01), Vec3(-0.1, -0.1, -0.1)}) {
+    Stepper stepper("auto");
+    ClothState state = stateAtRest(model->restPositions);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+      state.positions[v] = model->pinned[v] ? state.positions[v] : Vec3(factors.cwiseProduct(state.positions[v]));
+    }
+    const Energy start = energyOf(*model, parameters, state);
+    const double scale = start.elastic + fallEnergy(*model, parameters);
+    double highest = 0.0;
+    for (int step = 0; step < 300; ++step) {
+      stepper.step(*model, parameters, {}, state);
+      highest = std::max(highest, energyOf(*model, parameters, state).total());
+    }
+    EXPECT_LT(highest - start.total(), 0.01 * scale) << factors.transpose();
+  }
+}
+
+/// Rounding in float must not grow in the coarse levels, whose compressed springs have no stiffness.
+TEST(Auto, gainsNoVisibleEnergyInTheFreeFallOfSoftenedCloth) {
+  const auto model = buildClothModel(testing::sheet(17), 0.1, MassLumping::Area, {});
+  StepParameters parameters = soft();
+  parameters.automatic.costBudget = 6.0;
+  parameters.precision = Precision::Float;
+  Stepper stepper("auto");
+  ClothState state = stateAtRest(model->restPositions);
+  for (int step = 0; step < 300; ++step) {
+    stepper.step(*model, parameters, {}, state);
+    ASSERT_LT(energyOf(*model, parameters, state).total(), 0.01 * fallEnergy(*model, parameters)) << step;
+  }
 }
 
 TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
