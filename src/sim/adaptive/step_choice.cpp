@@ -13,6 +13,7 @@ void StepChoice::add(const StepChoice& next) {
   hOmega += before.hOmega;
   costRatio = std::max(costRatio, before.costRatio);
   stiffnessScale = std::min(stiffnessScale, before.stiffnessScale);
+  inParts = inParts || before.inParts;
   usedFallback = usedFallback || before.usedFallback;
   sleeping = sleeping && before.sleeping;
 }

@@ -12,8 +12,8 @@ inline constexpr double toleratedCostRatio = 1.6;
 
 /// The choices of the solver `auto` for a step, with statistics.
 struct StepChoice {
-  int order = 2;     ///< of the explicit scheme: 2 (Verlet) or 4 (PEFRL); 1 if the fallback solver took the step
-  int substeps = 1;  ///< equal parts of the step [-]
+  int order = 2;  ///< of the explicit scheme: 2 (Verlet) or 4 (PEFRL); 1 if the fallback solver took a part of the step
+  int substeps = 1;          ///< equal parts of the step [-]
   int forceEvaluations = 1;  ///< cost of the step with retries, in evaluations of all springs [-]
   double hOmega = 0.0;       ///< time step times the mesh's largest local frequency [-]
   double costRatio = 0.0;    ///< planned cost over the cost budget of the step [-]
@@ -25,7 +25,8 @@ struct StepChoice {
   double fullStiffnessCost = 1.0;  ///< cost of a step with the full stiffness over that of this one [-]
   int coarseLevels = 0;            ///< coarse levels in use [-]
   int retries = 0;                 ///< of the step by the energy guard [-]
-  bool usedFallback = false;       ///< the fallback solver took the step
+  bool inParts = false;            ///< the step was taken in parts, after all retries failed
+  bool usedFallback = false;       ///< the fallback solver took the step, or a part of it
   bool sleeping = false;           ///< the cloth sleeps; nothing was computed
   double error = -1.0;             ///< estimated mean position error after 0.2 s [m]; negative: not known yet
   double energyDrift = 0.0;        ///< energy that the integrator has added [J]

@@ -118,7 +118,7 @@ struct AutoTuning {
   double calmDriftFraction = 0.5;
   /// Force evaluations for one energy measurement in calm cloth [-]. Larger: cheaper, drift is noticed later.
   double evaluationsPerMeasurement = 24.0;
-  /// Retries of a step before the fallback solver takes it [-]. Each doubles the substeps or softens the springs.
+  /// Retries of a step before it is taken in parts [-]. Each doubles the substeps or softens the springs.
   int maxRetries = 3;
   /// Largest retry level that a step starts with [-].
   int maxRetryLevel = 2;
@@ -135,8 +135,12 @@ struct AutoTuning {
   /// substeps are doubled. Smaller: softer cloth after a retry.
   double retryClampFactor = 0.8;
   double minRetryHOmega = 1.7;
-  /// Substeps of the fallback solver in a step [-].
-  int fallbackSubsteps = 8;
+  /// Equal parts in which a step is taken after all retries failed [-]. Larger: the many substeps of a violent moment
+  /// are taken for a shorter time.
+  int partsOfStep = 8;
+  /// Retries of such a part before the fallback solver takes it [-]. Each doubles the substeps or softens the springs.
+  /// Larger: more violent starts keep their energy, and a step can take longer.
+  int maxRetriesOfPart = 7;
 
   // Rounding.
 

@@ -56,7 +56,7 @@ double speedBetween(const std::vector<Vec3>& before, const std::vector<Vec3>& af
 ///    the state's memory;
 /// 2. AdaptiveRun takes the step;
 /// 3. the energy guard compares the energy of the first and the last substep. If it grew by more than external work
-///    explains, the step is retried with a safer plan, up to three times, and then taken by the fallback solver;
+///    explains, the step is retried with a safer plan, up to three times, and then taken in parts;
 /// 4. now and then the step is also taken with twice the substeps. The difference estimates the error, which gives the
 ///    number of force evaluations for the tolerance. It falls by at most a factor of two at a time.
 /// No clock is read, and the memory is part of the state: the same arguments give the same step.
@@ -112,6 +112,7 @@ class AdaptiveStep {
                 adaptive::StepChoice& choice) {
     guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()),
                    simd::stepOrigin<T>(state.positions));
+    const adaptive::StepPlan first = plan;
     while (saferPlans_ <= adaptive::tuning.maxRetries) {
       checkStop(inputs);
       const bool isRetry = choice.retries > 0;
@@ -157,9 +158,63 @@ class AdaptiveStep {
       choice.substeps = plan.substeps;
       choice.stiffnessScale = adaptive::medianStiffnessScale(rates, parameters, plan);
     }
-    takeFallbackStep(model, rates, parameters, inputs, state, choice);
+    takeStepInParts(model, rates, parameters, inputs, first, memory, state, choice);
     memory.schemeEnergyDrift = 0.0;
     return true;
+  }
+
+  /// Takes the step in equal parts, with as many substeps as each part needs. The violent moment of a start is short,
+  /// so few parts need many. A part that needs too many is taken by the fallback solver.
+  void takeStepInParts(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
+                       const StepInputs& inputs, adaptive::StepPlan plan, adaptive::StepMemory& memory,
+                       ClothState& state, adaptive::StepChoice& choice) {
+    constexpr int parts = adaptive::tuning.partsOfStep;
+    const double time = state.time;
+    StepInputs ofParts = inputs;
+    ofParts.contacts = nullptr;
+    ofParts.movedPins = nullptr;
+    if (inputs.movedPins != nullptr) {
+      movePinsBy(*inputs.movedPins, state);  // here they jump
+    }
+    parameters.timeStep /= parts;
+    plan.substeps = (plan.forceEvaluations() + parts - 1) / parts;
+    plan.scheme = adaptive::ExplicitScheme::Verlet;
+    plan.airInterval = plan.bendingInterval = 1;
+    choice.order = 2;
+    choice.substeps = 0;
+    choice.inParts = true;
+    adaptive::StepMemory ofPart;
+    ofPart.energyDrift = memory.energyDrift;
+    for (int i = 0; i < parts; ++i) {
+      if (!takePart(model, rates, parameters, ofParts, plan, ofPart, state, choice)) {
+        takeFallbackStep(model, rates, parameters, ofParts, state, choice);
+      }
+    }
+    memory.energyDrift = ofPart.energyDrift;
+    state.time = time;
+  }
+
+  /// @return whether the part was taken
+  bool takePart(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                const StepInputs& inputs, adaptive::StepPlan plan, adaptive::StepMemory& memory, ClothState& state,
+                adaptive::StepChoice& choice) {
+    guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()),
+                   simd::stepOrigin<T>(state.positions));
+    const double largestCost = adaptive::maxEvaluations(model, parameters, parameters.automatic);
+    for (int retry = 0; retry <= adaptive::tuning.maxRetriesOfPart && plan.cost() <= largestCost; ++retry) {
+      checkStop(inputs);
+      const adaptive::StepEnergy energy = run_.run(model, rates, parameters, inputs, plan, state, {true, true});
+      const double work = windWork(model, rates, parameters, inputs, state) + attachmentWork(model, inputs, state);
+      choice.forceEvaluations += plan.cost();
+      if (!guard_.hasGrown(energy, work, retry > 0, memory)) {
+        run_.store(state);
+        guard_.store(model, parameters, plan, energy, work, memory, state);
+        choice.substeps += plan.substeps;
+        return true;
+      }
+      plan = adaptive::saferPlan(plan);
+    }
+    return false;
   }
 
   /// After a retry with a safer plan the next steps start with one. The retry level falls again after some calm steps.
@@ -230,36 +285,25 @@ class AdaptiveStep {
     }
   }
 
-  /// Takes the step with the fallback solver, which must be unconditionally stable. With few iterations it leaves
-  /// springs stretched; the elastic energy that this adds is removed from the motion. The energy counts the full
+  /// Takes a part of a step with the fallback solver, which must be unconditionally stable. With few iterations it
+  /// leaves springs stretched; the elastic energy that this adds is removed from the motion. The energy counts the full
   /// stiffness.
   void takeFallbackStep(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
                         const StepInputs& inputs, ClothState& state, adaptive::StepChoice& choice) {
-    constexpr int substeps = adaptive::tuning.fallbackSubsteps;
     std::unique_ptr<Solver>& fallback = model.fabric ? fabricFallback_ : springFallback_;
     if (!fallback) {
       fallback = model.fabric ? solvers::newton().make() : solvers::xpbd().make();
     }
-    const double time = state.time;
-    if (inputs.movedPins != nullptr) {
-      movePinsBy(*inputs.movedPins, state);  // for this solver they jump
-    }
     const double allowed = energyOf(model, parameters, state).total() + adaptive::maxWindWork(rates, parameters) +
                            (inputs.attachment ? inputs.attachment->maxForce * parameters.timeStep : 0.0);
     parameters.precision = Precision::Double;
-    parameters.timeStep /= substeps;
-    choice.forceEvaluations += substeps * parameters.iteration.iterations;
-    choice.substeps = substeps;
+    choice.forceEvaluations += parameters.iteration.iterations;
+    choice.substeps += 1;
     choice.order = 1;
-    choice.stiffnessScale = 1.0;
-    choice.coarseLevels = 0;
     choice.usedFallback = true;
-    for (int i = 0; i < substeps; ++i) {
-      momentum_.prepare(model, parameters, inputs, state);
-      fallback->step(model, parameters, inputs, state);
-      momentum_.correct(model, parameters.timeStep, parameters.timeStep, state);
-    }
-    state.time = time;
+    momentum_.prepare(model, parameters, inputs, state);
+    fallback->step(model, parameters, inputs, state);
+    momentum_.correct(model, parameters.timeStep, parameters.timeStep, state);
     adaptive::removeInnerMotion(model, pieces_.get(model, freePieces),
                                 energyOf(model, parameters, state).total() - allowed, state);
   }

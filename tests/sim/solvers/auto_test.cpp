@@ -563,7 +563,7 @@ TEST(Auto, conservesTheMomentumOfFreeClothWithClampedStiffness) {
   EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
 }
 
-TEST(Auto, conservesTheMomentumOfFreeClothWithTheFallbackSolver) {
+TEST(Auto, conservesTheMomentumOfFreeClothInAStepInParts) {
   const auto model = testing::irregularSheet(9, {});
   StepParameters parameters = withEvaluations(*model, 1e5, 4.0);
   parameters.gravity = 0.0;
@@ -576,13 +576,43 @@ TEST(Auto, conservesTheMomentumOfFreeClothWithTheFallbackSolver) {
   const Vec3 linear = linearMomentum(*model, state);
   const Vec3 angular = angularMomentum(*model, state, Vec3::Zero());
   Stepper stepper("auto");
-  int fallbackSteps = 0;
+  int stepsInParts = 0;
   for (int step = 0; step < 60; ++step) {
-    fallbackSteps += stepper.step(*model, parameters, {}, state).choice.value().usedFallback ? 1 : 0;
+    stepsInParts += stepper.step(*model, parameters, {}, state).choice.value().inParts ? 1 : 0;
   }
-  EXPECT_GT(fallbackSteps, 0) << "this start is not hard enough";
+  EXPECT_GT(stepsInParts, 0) << "this start is not hard enough";
   EXPECT_LT((linearMomentum(*model, state) - linear).norm(), 1e-10 * linear.norm());
   EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
+}
+
+TEST(Auto, keepsTheEnergyOfAViolentStart) {
+  for (const bool pinned : {false, true}) {
+    const std::vector<int> pins = pinned ? std::vector<int>{0, 32} : std::vector<int>();
+    const auto model = buildClothModel(testing::sheet(33), 0.1, MassLumping::Area, pins);
+    StepParameters parameters = stiff(1e5);
+    parameters.timeStep = frame;
+    parameters.precision = Precision::Float;
+    parameters.gravity = 0.0;
+    parameters.automatic.costBudget = 31.0;
+    ClothState state = stateAtRest(model->restPositions);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+      state.positions[v] *= model->pinned[v] ? 1.0 : pinned ? -0.1 : 0.01;
+    }
+    const double start = energyOf(*model, parameters, state).total();
+    Stepper stepper("auto");
+    int inParts = 0;
+    for (int step = 0; step < 3; ++step) {
+      const auto choice = stepper.step(*model, parameters, {}, state).choice.value();
+      inParts += choice.inParts ? 1 : 0;
+      EXPECT_FALSE(choice.usedFallback);
+      EXPECT_NEAR(energyOf(*model, parameters, state).total(), start, 0.01 * start) << "step " << step;
+    }
+    EXPECT_GT(inParts, 0) << "this start is not violent enough";
+    if (!pinned) {
+      const double speed = std::sqrt(2.0 * start / model->totalMass());
+      EXPECT_LT(linearMomentum(*model, state).norm(), 1e-5 * model->totalMass() * speed);
+    }
+  }
 }
 
 /// Cloth with a budget so small that its springs keep 0.2 % of their stiffness.
