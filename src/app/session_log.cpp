@@ -69,6 +69,26 @@ std::vector<scene::Placement> placementsFrom(const Json& json) {
   return placements;
 }
 
+Json toJson(const std::vector<std::optional<scene::ReadingChoice>>& readings) {
+  Json list = Json::array();
+  for (const std::optional<scene::ReadingChoice>& reading : readings) {
+    list.push_back(reading ? Json{{"unit", reading->unit}, {"up", reading->up}} : Json(nullptr));
+  }
+  return list;
+}
+
+/// Logs of earlier versions have no readings.
+std::vector<std::optional<scene::ReadingChoice>> readingsFrom(const Json& json) {
+  std::vector<std::optional<scene::ReadingChoice>> readings;
+  for (const Json& each : json) {
+    readings.emplace_back();
+    if (!each.is_null()) {
+      readings.back() = scene::ReadingChoice{each.at("unit"), each.at("up")};
+    }
+  }
+  return readings;
+}
+
 SessionLog parse(const Json& json) {
   SessionLog log;
   if (json.at("drape_session") != formatVersion) {
@@ -84,7 +104,8 @@ SessionLog parse(const Json& json) {
   }
   log.fabrics = fabricsFrom(json.value("fabrics", Json::array()));
   if (const auto found = json.find("placements"); found != json.end()) {
-    log.placements = {placementsFrom(found->at("cloths")), placementsFrom(found->at("bodies"))};
+    log.placements = {placementsFrom(found->at("cloths")), placementsFrom(found->at("bodies")),
+                      readingsFrom(found->value("readings", Json::array()))};
   }
   for (const Json& entry : json.at("commands")) {
     log.commands.push_back(commandFrom(entry));
@@ -136,7 +157,9 @@ SessionLog sessionLogOf(const session::Simulation& simulation) {
   SessionLog log;
   const scene::SceneDescription& description = simulation.scene().description;
   log.parts = absoluteParts(description.parts);
-  if (scene::placementsOf(description) != scene::writtenPlacementsOf(description)) {
+  const bool hasReadings = std::ranges::any_of(
+      description.bodies, [](const scene::BodyDescription& body) { return body.reading.has_value(); });
+  if (hasReadings || scene::placementsOf(description) != scene::writtenPlacementsOf(description)) {
     log.placements = scene::placementsOf(description);
   }
   for (const settings::SettingInfo& info : settings::settingsTable()) {
@@ -165,6 +188,7 @@ void write(const SessionLog& log, OutputFile& file) {
   if (log.placements) {
     json["placements"]["cloths"] = toJson(log.placements->cloths);
     json["placements"]["bodies"] = toJson(log.placements->bodies);
+    json["placements"]["readings"] = toJson(log.placements->readings);
   }
   json["commands"] = Json::array();
   for (const session::LoggedCommand& entry : log.commands) {

@@ -5,6 +5,7 @@
 #include "scene/cached_mesh.hpp"
 #include "scene/cloth_builder.hpp"
 #include "scene/mesh_file.hpp"
+#include "scene/unit_guess.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -122,15 +123,6 @@ std::shared_ptr<const sim::contact::MeshShape> readFigure(const BodyDescription&
   return figure::movingFigure(std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles), *description.figure);
 }
 
-/// Converts a body to metres with y up, when its files have the unit and axes of the cloth.
-BodyDescription inMetres(BodyDescription body, const std::optional<MeshReading>& reading) {
-  if (body.readLikeCloth && reading) {
-    body.scale *= reading->metresPerUnit;
-    body.body.motion.keyframes.front().rotation = rotationToY(reading->up);
-  }
-  return body;
-}
-
 void scaleShape(double scale, sim::contact::PlaneShape& plane) {
   plane.halfSize *= scale;
 }
@@ -199,6 +191,17 @@ std::optional<Decor> readStand(const std::optional<StandDescription>& stand, con
   return Decor{std::move(mesh.cloth.positions), std::move(mesh.cloth.triangles)};
 }
 
+BodyDescription inMetres(BodyDescription body, double metresPerUnit, const std::string& up) {
+  if (body.reading) {
+    body.scale *= scene::metresPerUnit(body.reading->unit);
+    body.body.motion.keyframes.front().rotation = rotationToY(body.reading->up);
+  } else if (body.readLikeCloth) {
+    body.scale *= metresPerUnit;
+    body.body.motion.keyframes.front().rotation = rotationToY(up);
+  }
+  return body;
+}
+
 std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescription& description,
                                                              const std::optional<MeshReading>& reading,
                                                              const std::optional<Decor>& stand, double groundHeight,
@@ -206,9 +209,10 @@ std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescript
                                                              const io::ImportWatch& watch,
                                                              std::vector<std::string>& warnings) {
   const io::ImportOptions options = bodyOptions(settings, watch);
+  const MeshReading like = reading.value_or(MeshReading());
   auto bodies = std::make_shared<std::vector<sim::contact::Body>>();
   for (const BodyDescription& written : description.bodies) {
-    const BodyDescription each = inPlace(inMetres(written, reading));
+    const BodyDescription each = inPlace(inMetres(written, like.metresPerUnit, like.up));
     bodies->push_back(each.body);
     if (each.figure) {
       bodies->back().shape = readFigure(each, options, warnings);

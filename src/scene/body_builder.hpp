@@ -17,6 +17,10 @@ struct PinGroup;
                                              const settings::Settings& settings, const io::ImportWatch& watch,
                                              std::vector<std::string>& warnings);
 
+/// A body in metres with y up, when its files have another unit or other axes.
+/// @param metresPerUnit, up of the cloth's file, for bodies that are read like it
+[[nodiscard]] BodyDescription inMetres(BodyDescription body, double metresPerUnit, const std::string& up);
+
 /// The bodies of the scene, then its stand, then its ground. Throws InputError.
 /// @param reading of the cloth's file, for bodies with the same unit and axes  @param groundHeight [m]
 /// @param warnings those of the bodies' meshes are appended

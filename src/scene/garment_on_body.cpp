@@ -1,6 +1,7 @@
 #include "scene/garment_on_body.hpp"
 
 #include "messages/error.hpp"
+#include "scene/found_mesh.hpp"
 #include "scene/mesh_file.hpp"
 #include "scene/opened_mesh.hpp"
 
@@ -17,16 +18,15 @@ constexpr std::array<std::string_view, 2> builtinBodies{"mannequin", figureName}
 
 constexpr std::string_view builtinPrefix = "builtin:";
 
-/// Reads the body in metres with y up.
-void useUnitAndAxes(const settings::Settings& settings, BodyDescription& body) {
+/// The unit and the up axis of the body, as the user chooses them or from its file.
+ReadingChoice readingOfBody(const settings::Settings& settings, const MeshFileSource& file,
+                            const ReadingChoice& choice) {
   io::ImportOptions options;
   options.use = io::MeshUse::Body;
   options.maxTriangles = io::maxMovingTriangles;
   options.outliers = outlierRule(settings);
-  io::ImportedMesh mesh = readMesh(body.meshes.front(), options);
-  const MeshReading reading = readUpright(settings::Settings().mesh, mesh);
-  body.scale = reading.metresPerUnit;
-  body.body.motion.keyframes.front().rotation = rotationToY(reading.up);
+  const MeshReading reading = readingOf(foundIn(readMesh(file, options)), choice, io::MeshUse::Body);
+  return {reading.unit, reading.up};
 }
 
 /// A scene of the garment alone.
@@ -59,7 +59,15 @@ bool isBuiltInWear(const std::string& name) {
   return name.starts_with(builtinPrefix) || isBuiltInBody(name);
 }
 
-BodyDescription bodyOfFile(const std::string& body, const settings::Settings& settings) {
+MeshFileSource wearSource(const std::string& name) {
+  if (name.starts_with(builtinPrefix)) {
+    return {name.substr(builtinPrefix.size()), true};
+  }
+  const bool isBuiltIn = isBuiltInBody(name);
+  return {isBuiltIn ? name + ".obj" : name, isBuiltIn};
+}
+
+BodyDescription bodyOfFile(const std::string& body, const settings::Settings& settings, const ReadingChoice& choice) {
   BodyDescription description;
   description.body.name = std::filesystem::path(body).stem().string();
   description.body.motion.keyframes = {sim::contact::Keyframe{}};
@@ -67,20 +75,21 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
   if (!isBuiltIn && !io::isMeshFile(body)) {
     throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure");
   }
-  description.meshes = {MeshFileSource{isBuiltIn ? body + ".obj" : body, isBuiltIn}};
+  description.meshes = {wearSource(body)};
   if (body == figureName) {
     description.figure.emplace();  // in its rest pose, until the user chooses a motion
   }
   if (!isBuiltIn) {
-    useUnitAndAxes(settings, description);
+    description.reading = readingOfBody(settings, description.meshes.front(), choice);
+    description.openedReading = description.reading;
   }
   return description;
 }
 
-SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
-                                   const settings::OwnFabrics& own) {
+SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body, const settings::OwnFabrics& own,
+                                   const ReadingChoice& bodyReading) {
   SceneDescription scene = openGarment(garment, own);
-  scene.bodies = {bodyOfFile(body, scene.settings)};
+  scene.bodies = {bodyOfFile(body, scene.settings, bodyReading)};
   scene.settings.mesh.pins = "none";
   scene.groundBelowCloth = false;
   scene.ground.reset();

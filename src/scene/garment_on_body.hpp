@@ -9,15 +9,23 @@ namespace drape::scene {
 /// Whether this is the name of a built-in garment ("builtin:tshirt.obj") or body ("mannequin") instead of a file.
 [[nodiscard]] bool isBuiltInWear(const std::string& name);
 
-/// A body from a mesh file, in the unit and with the up axis that are guessed for it alone; or a built-in body. It
-/// keeps the coordinates of its file. Throws InputError if the file is no mesh or cannot be read.
-[[nodiscard]] BodyDescription bodyOfFile(const std::string& body, const settings::Settings& settings);
+/// The mesh of a garment or a body: a file, or a built-in one.
+[[nodiscard]] MeshFileSource wearSource(const std::string& name);
+
+/// A body from a mesh file, or a built-in body. It keeps the coordinates of its file. Throws InputError if the file is
+/// no mesh or cannot be read.
+/// @param choice the unit and the up axis of the file; "auto" is guessed for it alone
+[[nodiscard]] BodyDescription bodyOfFile(const std::string& body, const settings::Settings& settings,
+                                         const ReadingChoice& choice = {});
 
 /// A scene of a garment and the body that is to wear it. The garment has no pins, and both have the coordinates of
 /// their files. Unit and up axis of both are guessed where the format does not state them.
-/// @param garment a mesh file, or a built-in one: "builtin:tshirt.obj"  @param body a mesh file, or a built-in body:
-/// "mannequin" or "figure" Throws InputError as openScene, and for files that are no meshes.
+/// @param garment a mesh file, or a built-in one: "builtin:tshirt.obj"
+/// @param body a mesh file, or a built-in body: "mannequin" or "figure"
+/// @param bodyReading the unit and the up axis of the body. Throws InputError as openScene, and for files that are no
+/// meshes.
 [[nodiscard]] SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body,
-                                                 const settings::OwnFabrics& own = {});
+                                                 const settings::OwnFabrics& own = {},
+                                                 const ReadingChoice& bodyReading = {});
 
 }  // namespace drape::scene

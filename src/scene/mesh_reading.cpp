@@ -49,14 +49,18 @@ void turn(io::ImportedMesh& mesh, const std::string& up) {
 }
 
 /// The unit of the reading, and plausible alternatives.
-void readUnit(const settings::Settings::Mesh& settings, const io::FormatFacts& format, double largestExtent,
-              MeshReading& reading) {
-  const UnitGuess guess = guessUnit(largestExtent);
-  const bool open = settings.unit == guessed;
-  reading.unitGuessed = open && !format.metresPerUnit;
-  reading.unit = !open ? settings.unit : format.metresPerUnit ? wordForUnit(*format.metresPerUnit) : guess.unit;
+void readUnit(const std::string& choice, const ReadingEvidence& evidence, io::MeshUse use, MeshReading& reading) {
+  const double largestExtent = evidence.extent.maxCoeff();
+  const std::optional<double>& prescribed = evidence.format.metresPerUnit;
+  const UnitGuess guess = guessUnit(largestExtent, use);
+  const bool shows = guess.isUsual && !(use == io::MeshUse::Cloth && isFlat(evidence.extent));
+  reading.unitReason = choice != guessed ? ReadingReason::Chosen
+                       : prescribed      ? ReadingReason::Format
+                       : shows           ? ReadingReason::Shape
+                                         : ReadingReason::Unknown;
+  reading.unit = choice != guessed ? choice : prescribed ? wordForUnit(*prescribed) : guess.unit;
   reading.metresPerUnit = metresPerUnit(reading.unit);
-  if (!reading.unitGuessed && isUsualSize(reading.metresPerUnit * largestExtent)) {
+  if (!isGuess(reading.unitReason) && isUsualSize(reading.metresPerUnit * largestExtent)) {
     return;
   }
   constexpr std::size_t maxAlternatives = 3;
@@ -72,18 +76,18 @@ void readUnit(const settings::Settings::Mesh& settings, const io::FormatFacts& f
   }
 }
 
-void readUp(const settings::Settings::Mesh& settings, const io::FormatFacts& format, const sim::ClothMesh& mesh,
-            MeshReading& reading) {
-  const bool open = settings.up == guessed;
-  reading.upGuessed = open && !format.up;
-  reading.up = open && format.up ? std::string(1, *format.up) : settings.up;
-  if (reading.upGuessed) {
-    constexpr std::array<const char*, 3> axes{"x", "y", "z"};
-    reading.up = axes[guessUp(mesh, findPieces(mesh)).axis];
-    for (const char* axis : {"y", "z"}) {
-      if (reading.up != axis) {
-        reading.alternatives.push_back({"up", axis});
-      }
+void readUp(const std::string& choice, const ReadingEvidence& evidence, MeshReading& reading) {
+  if (choice != guessed || evidence.format.up) {
+    reading.upReason = choice != guessed ? ReadingReason::Chosen : ReadingReason::Format;
+    reading.up = choice != guessed ? choice : std::string(1, *evidence.format.up);
+    return;
+  }
+  const std::string shown = evidence.upOfShape();
+  reading.upReason = shown.empty() ? ReadingReason::Unknown : ReadingReason::Shape;
+  reading.up = shown.empty() ? "y" : shown;
+  for (const char* axis : {"y", "z"}) {
+    if (reading.up != axis) {
+      reading.alternatives.push_back({"up", axis});
     }
   }
 }
@@ -100,10 +104,26 @@ double metresPerUnitOf(const settings::Settings::Mesh& settings) {
   return settings.unit == guessed ? 1.0 : metresPerUnit(settings.unit);
 }
 
-MeshReading readUpright(const settings::Settings::Mesh& settings, io::ImportedMesh& mesh) {
+std::string upOfShape(const sim::ClothMesh& mesh) {
+  constexpr std::array<const char*, 3> axes{"x", "y", "z"};
+  const UpGuess guess = guessUp(mesh, findPieces(mesh));
+  return guess.margin > 0.0 ? axes[static_cast<std::size_t>(guess.axis)] : "";
+}
+
+MeshReading readingOf(const ReadingEvidence& evidence, const ReadingChoice& choice, io::MeshUse use) {
   MeshReading reading;
-  readUnit(settings, mesh.format, largestOf(mesh.summary.size) / metresPerUnitOf(settings), reading);
-  readUp(settings, mesh.format, mesh.cloth, reading);
+  readUnit(choice.unit, evidence, use, reading);
+  readUp(choice.up, evidence, reading);
+  const Vec3 size = reading.metresPerUnit * turnedUpright(evidence.extent, reading.up).cwiseAbs();
+  reading.size = {size.x(), size.y(), size.z()};
+  return reading;
+}
+
+MeshReading readUpright(const settings::Settings::Mesh& settings, io::ImportedMesh& mesh, io::MeshUse use) {
+  const std::array<double, 3>& size = mesh.summary.size;
+  const ReadingEvidence evidence{mesh.format, Vec3(size[0], size[1], size[2]) / metresPerUnitOf(settings),
+                                 [&] { return upOfShape(mesh.cloth); }};
+  MeshReading reading = readingOf(evidence, {settings.unit, settings.up}, use);
   if (settings.unit == guessed) {
     scale(mesh, reading.metresPerUnit);
   }

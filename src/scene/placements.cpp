@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "scene/toml_reader.hpp"
+#include "settings/settings_table.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -16,6 +17,17 @@ void requireAllowed(const Placement& placement) {
     throw messages::InputError(
         fmt::format("a placement needs a position of at most {} m, a finite rotation and a scale from {} to {}",
                     farAway, minPlacementScale, maxPlacementScale));
+  }
+}
+
+/// A session log may have anything.
+void requireReading(const ReadingChoice& reading) {
+  try {
+    settings::Settings settings;
+    settings::assignSettingText(settings, settings::requireSetting("unit"), reading.unit);
+    settings::assignSettingText(settings, settings::requireSetting("up"), reading.up);
+  } catch (const messages::UsageError& error) {
+    throw messages::InputError(error.what());
   }
 }
 
@@ -51,6 +63,7 @@ Placements placementsOf(const SceneDescription& description) {
   Placements all;
   std::ranges::transform(description.cloths, std::back_inserter(all.cloths), &ClothDescription::placement);
   std::ranges::transform(description.bodies, std::back_inserter(all.bodies), &BodyDescription::placement);
+  std::ranges::transform(description.bodies, std::back_inserter(all.readings), &BodyDescription::reading);
   return all;
 }
 
@@ -58,12 +71,19 @@ Placements writtenPlacementsOf(const SceneDescription& description) {
   Placements all;
   std::ranges::transform(description.cloths, std::back_inserter(all.cloths), &ClothDescription::writtenPlacement);
   std::ranges::transform(description.bodies, std::back_inserter(all.bodies), &BodyDescription::writtenPlacement);
+  std::ranges::transform(description.bodies, std::back_inserter(all.readings), &BodyDescription::openedReading);
   return all;
 }
 
 SceneDescription withPlacements(SceneDescription description, const Placements& placements) {
   assign(placements.cloths, description.cloths, "cloths");
   assign(placements.bodies, description.bodies, "bodies");
+  for (std::size_t i = 0; i < std::min(placements.readings.size(), description.bodies.size()); ++i) {
+    if (placements.readings[i]) {
+      requireReading(*placements.readings[i]);
+    }
+    description.bodies[i].reading = placements.readings[i];
+  }
   return description;
 }
 

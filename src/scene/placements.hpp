@@ -3,6 +3,7 @@
 #include "scene/scene.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,12 @@ struct Placeable {
   bool operator==(const Placeable&) const = default;
 };
 
-/// The placements of all cloths and bodies of a scene.
+/// The placements of all cloths and bodies of a scene, and how the files of bodies are read.
 struct Placements {
   std::vector<Placement> cloths;
   std::vector<Placement> bodies;
+  /// BodyDescription::reading of each body: another unit or up axis is a change of the user like a placement.
+  std::vector<std::optional<ReadingChoice>> readings;
 
   [[nodiscard]] const Placement& of(const Placeable& thing) const&;
   [[nodiscard]] Placement& of(const Placeable& thing) &;
@@ -33,8 +36,8 @@ struct Placements {
 [[nodiscard]] Placements placementsOf(const SceneDescription& description);
 [[nodiscard]] Placements writtenPlacementsOf(const SceneDescription& description);
 
-/// The scene with other placements. Throws InputError when their number does not fit the scene, or when one is outside
-/// its range.
+/// The scene with other placements. Without any reading, the bodies keep theirs. Throws InputError when their number
+/// does not fit the scene, or when one is outside its range.
 [[nodiscard]] SceneDescription withPlacements(SceneDescription description, const Placements& placements);
 
 /// Whether a placement is within its range: near enough to the origin of the scene, and of a useful scale.

@@ -98,8 +98,12 @@ struct BodyDescription {
   double frameTime = 1.0 / 30.0;                ///< time between two frames [s]
   bool frameLoop = false;                       ///< whether the frames repeat
   bool readLikeCloth = false;                   ///< whether the meshes use the unit and the up axis of the cloth
-  Placement placement;                          ///< of the body with its whole motion
-  Placement writtenPlacement;                   ///< the one in the scene file
+  /// The unit and the up axis of the mesh, never "auto", where the body has its own ones. Absent: as the cloth if
+  /// readLikeCloth, else metres with y up.
+  std::optional<ReadingChoice> reading;
+  std::optional<ReadingChoice> openedReading;  ///< the one with which the body was opened
+  Placement placement;                         ///< of the body with its whole motion
+  Placement writtenPlacement;                  ///< the one in the scene file
 };
 
 /// The ground as a body for contact. The renderer draws the ground separately.
@@ -125,6 +129,10 @@ struct SceneParts {
   /// Whether the cloth is a garment that a body is to wear: it has no pins, and each body has its own unit and axes.
   /// Then `cloth` and the only one of `bodies` may also be built-in ones, see openGarmentOnBody.
   bool dressed = false;
+  /// Whether the garment is only placed on the body at first, so that the user moves it before the dressing.
+  bool placed = false;
+  ReadingChoice clothReading = {};               ///< of the file in `cloth`, or of the mesh file in `scene`
+  std::vector<ReadingChoice> bodyReadings = {};  ///< of `bodies`; those that are left out are all "auto"
 };
 
 /// An elastic band along an open border, as it is written in a scene file.

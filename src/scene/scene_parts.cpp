@@ -37,9 +37,22 @@ void replaceCloth(SceneDescription& scene, const std::string& file) {
   scene.camera.reset();
 }
 
-void addBody(SceneDescription& scene, const std::string& file, bool isDressed) {
-  if (isDressed || isBuiltInWear(file)) {
-    BodyDescription body = bodyOfFile(file, scene.settings);
+/// Takes the unit and the up axis of the cloth's file from the choice of the user, unless that is "auto".
+void readCloth(const ReadingChoice& choice, SceneDescription& scene) {
+  const ReadingChoice open;
+  settings::Settings::Mesh& mesh = scene.settings.mesh;
+  mesh.unit = choice.unit == open.unit ? mesh.unit : choice.unit;
+  mesh.up = choice.up == open.up ? mesh.up : choice.up;
+}
+
+/// The choice for the i-th body.
+ReadingChoice bodyReading(const SceneParts& parts, std::size_t i) {
+  return i < parts.bodyReadings.size() ? parts.bodyReadings[i] : ReadingChoice();
+}
+
+void addBody(SceneDescription& scene, const std::string& file, const ReadingChoice& reading, bool isDressed) {
+  if (isDressed || isBuiltInWear(file) || reading != ReadingChoice()) {
+    BodyDescription body = bodyOfFile(file, scene.settings, reading);
     body.body.name = freeName(scene.bodies, body.body.name);
     scene.bodies.push_back(std::move(body));
     return;
@@ -88,7 +101,8 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
                                std::to_string(maxBodies) + " at a time");
   }
   if (parts.dressed && parts.scene.empty() && parts.bodies.size() == 1) {
-    SceneDescription scene = openGarmentOnBody(parts.cloth, parts.bodies.front(), own);
+    SceneDescription scene = openGarmentOnBody(parts.cloth, parts.bodies.front(), own, bodyReading(parts, 0));
+    readCloth(parts.clothReading, scene);
     attachCaches(scene, parts);
     scene.parts = parts;
     return scene;
@@ -97,8 +111,11 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
   if (!parts.scene.empty() && !parts.cloth.empty()) {
     replaceCloth(scene, parts.cloth);
   }
-  for (const std::string& body : parts.bodies) {
-    addBody(scene, body, parts.dressed);
+  if (!parts.cloth.empty() || scene.opened) {
+    readCloth(parts.clothReading, scene);
+  }
+  for (std::size_t i = 0; i < parts.bodies.size(); ++i) {
+    addBody(scene, parts.bodies[i], bodyReading(parts, i), parts.dressed);
   }
   attachCaches(scene, parts);
   if (parts.dressed || (!parts.bodies.empty() && scene.opened)) {

@@ -1,6 +1,7 @@
 #include "scene/scene_writer.hpp"
 
 #include "messages/error.hpp"
+#include "scene/body_builder.hpp"
 #include "scene/body_writer.hpp"
 #include "scene/fabric_file.hpp"
 #include "scene/keyframe_file.hpp"
@@ -217,7 +218,7 @@ void writeSolidity(const std::optional<sim::contact::Body>& body, const BodyNow*
 }
 
 /// The unit and the up axis of the first cloth from a file, for the bodies that are read like it.
-BodyDescription inMetres(BodyDescription body, const Scene& scene) {
+BodyDescription bodyInMetres(BodyDescription body, const Scene& scene) {
   const auto isFromFile = [&](const ClothPart& part) {
     const ClothDescription& cloth = scene.description.cloths[static_cast<std::size_t>(&part - scene.cloths.data())];
     const auto* mesh = std::get_if<MeshFileSource>(&cloth.source);
@@ -225,11 +226,7 @@ BodyDescription inMetres(BodyDescription body, const Scene& scene) {
   };
   const auto found = std::ranges::find_if(scene.cloths, isFromFile);
   const MeshPlacement& placement = (found == scene.cloths.end() ? scene.cloths.front() : *found).placement;
-  if (body.readLikeCloth) {
-    body.scale *= placement.metresPerUnit;
-    body.body.motion.keyframes.front().rotation = rotationToY(placement.up);
-  }
-  return body;
+  return inMetres(std::move(body), placement.metresPerUnit, placement.up);
 }
 
 /// Moves a body after its own motion and its placement.
@@ -246,7 +243,7 @@ void shift(const Vec3& by, BodyDescription& body) {
 void writeBodies(Writing& writing) {
   const auto& descriptions = writing.description().bodies;
   for (std::size_t i = 0; i < descriptions.size(); ++i) {
-    BodyDescription body = inMetres(descriptions[i], writing.scene);
+    BodyDescription body = bodyInMetres(descriptions[i], writing.scene);
     if (i < writing.now.bodies.size()) {
       const BodyNow& now = writing.now.bodies[i];
       body.body.surface = now.surface;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 namespace drape::scene {
@@ -17,11 +18,12 @@ struct UsualUnit {
   double files = 0.0;
 };
 
-constexpr std::array<UsualUnit, 5> usualUnits{{{{"m", "metres", 1.0}, 40.0},
+constexpr std::array<UsualUnit, 6> usualUnits{{{{"m", "metres", 1.0}, 40.0},
                                                {{"cm", "centimetres", 0.01}, 35.0},
                                                {{"mm", "millimetres", 0.001}, 12.0},
                                                {{"inch", "inches", 0.0254}, 8.0},
-                                               {{"dm", "decimetres", 0.1}, 5.0}}};
+                                               {{"dm", "decimetres", 0.1}, 5.0},
+                                               {{"foot", "feet", 0.3048}, 0.3}}};
 
 /// A kind of object and its size: a normal distribution of the logarithm.
 struct UsualSize {
@@ -30,15 +32,22 @@ struct UsualSize {
   double share;   ///< of all files [-]
 };
 
-constexpr std::array<UsualSize, 4> usualSizes{{{0.75, 0.25, 0.45},   // T-shirts, skirts, trousers
-                                               {1.2, 0.2, 0.2},      // dresses
-                                               {1.7, 0.1, 0.2},      // bodies
-                                               {0.35, 0.4, 0.15}}};  // socks, caps, handkerchiefs
+constexpr std::array<UsualSize, 4> sizesOfCloth{{{0.75, 0.25, 0.45},   // T-shirts, skirts, trousers
+                                                 {1.2, 0.2, 0.2},      // dresses
+                                                 {1.7, 0.1, 0.2},      // bodies
+                                                 {0.35, 0.4, 0.15}}};  // socks, caps, handkerchiefs
+
+constexpr std::array<UsualSize, 2> sizesOfBodies{{{1.7, 0.1, 0.8},    // adults
+                                                  {1.1, 0.3, 0.2}}};  // children, and busts of adults
+
+std::span<const UsualSize> usualSizes(io::MeshUse use) {
+  return use == io::MeshUse::Body ? std::span<const UsualSize>(sizesOfBodies) : sizesOfCloth;
+}
 
 /// The frequency of objects of that size; only ratios are meaningful.
-double frequency(double metres) {
+double frequency(double metres, io::MeshUse use) {
   double sum = 0.0;
-  for (const UsualSize& size : usualSizes) {
+  for (const UsualSize& size : usualSizes(use)) {
     const double apart = std::log(metres / size.metres) / size.spread;
     sum += size.share / size.spread * std::exp(-0.5 * apart * apart);
   }
@@ -48,6 +57,10 @@ double frequency(double metres) {
 /// The factor by which a size is outside the range of garments [-]; 1 inside.
 double misfit(double metres) {
   return std::max({1.0, smallestGarment / metres, metres / largestGarment});
+}
+
+bool isUsual(double metres, io::MeshUse use) {
+  return use == io::MeshUse::Body ? metres >= smallestPerson && metres <= largestPerson : misfit(metres) <= 1.0;
 }
 
 const LengthUnit* findUnit(std::string_view word) {
@@ -74,7 +87,7 @@ text::Sentence unitInWords(std::string_view unit) {
   return known != nullptr ? text::Sentence(known->plural) : text::Sentence("units of {} m", unit);
 }
 
-UnitGuess guessUnit(double largestExtent) {
+UnitGuess guessUnit(double largestExtent, io::MeshUse use) {
   struct Candidate {
     const LengthUnit* unit;
     double misfit;
@@ -87,14 +100,18 @@ UnitGuess guessUnit(double largestExtent) {
   std::vector<Candidate> candidates;
   for (const UsualUnit& each : usualUnits) {
     const double metres = each.unit.metres * largestExtent;
-    candidates.push_back({&each.unit, misfit(metres), each.files * frequency(metres)});
+    candidates.push_back({&each.unit, misfit(metres), each.files * frequency(metres, use)});
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::pair(a.misfit, -a.likelihood) < std::pair(b.misfit, -b.likelihood);
   });
   guess.unit = candidates.front().unit->word;
+  guess.isUsual = isUsual(candidates.front().unit->metres * largestExtent, use);
+  constexpr double negligible = 2e-3;  // relative to the likeliest
   for (std::size_t i = 1; i < candidates.size() && candidates[i].misfit <= 1.0; ++i) {
-    guess.others.emplace_back(candidates[i].unit->word);
+    if (candidates[i].likelihood > negligible * candidates.front().likelihood) {
+      guess.others.emplace_back(candidates[i].unit->word);
+    }
   }
   return guess;
 }

@@ -122,6 +122,11 @@ std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::Alig
 
 }  // namespace
 
+bool isFlat(const Vec3& extent) {
+  constexpr double flatness = 0.02;
+  return extent.minCoeff() < flatness * extent.maxCoeff();
+}
+
 UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces) {
   constexpr std::array<double, 3> usual{-0.6, 0.15, 0.0};  // files with y up are the most common, with x up the rarest
   constexpr double openingWeight = 1.5;
@@ -141,8 +146,7 @@ UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces) {
                            asymmetryWeight * evidence.asymmetry[axis] +
                            (open ? extentWeight : extentWeightAlone) * evidence.extent[axis];
   }
-  constexpr double flatness = 0.02;
-  if (!open && box.sizes().minCoeff() < flatness * largest) {
+  if (!open && isFlat(box.sizes())) {
     return guess;  // a flat sheet may lie or hang: the more common axis decides
   }
   guess.axis =

@@ -19,9 +19,12 @@ struct UpEvidence {
 /// The guessed up axis of a mesh.
 struct UpGuess {
   int axis = 1;         ///< 0: x, 1: y, 2: z
-  double margin = 0.0;  ///< difference of its score to the next one [-]
+  double margin = 0.0;  ///< difference of its score to the next one [-]; 0: the shape does not show it
   UpEvidence evidence;
 };
+
+/// Whether a mesh with that extent of its box is a flat sheet: thinner than 2 % of its largest side.
+[[nodiscard]] bool isFlat(const Vec3& extent);
 
 /// Guesses the up axis of a garment or a body. The neck, waist and hem of a garment face up or down. It is symmetric
 /// left and right, often nearly so front and back, but not top and bottom. It is wide and tall rather than deep. A

@@ -129,7 +129,8 @@ constexpr std::array units{TextWord{"auto", {"Guessed", "The unit that gives the
                            TextWord{"dm", {"Decimetres", "One unit of the file is a tenth of a metre."}},
                            TextWord{"cm", {"Centimetres", "One unit of the file is a hundredth of a metre."}},
                            TextWord{"mm", {"Millimetres", "One unit of the file is a thousandth of a metre."}},
-                           TextWord{"inch", {"Inches", "One unit of the file is 0.0254 m."}}};
+                           TextWord{"inch", {"Inches", "One unit of the file is 0.0254 m."}},
+                           TextWord{"foot", {"Feet", "One unit of the file is 0.3048 m."}}};
 
 constexpr std::array pinSources{
     TextWord{"scene", {"From the scene", "The pins that the scene file defines."}},

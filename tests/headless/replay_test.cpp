@@ -87,6 +87,7 @@ TEST(Replay, keepsThePlacements) {
   scene::Placements placements = scene::placementsOf(sphere);
   placements.cloths[0] = {Vec3(0.1, 0.2, -1.0 / 3.0), Vec3(0.3, 20.0 / 3.0, 0), 1.1};
   placements.bodies[0] = {Vec3(0.05, 0, 0), Vec3(0, 17.3, 0), 0.9};
+  placements.readings[0] = scene::ReadingChoice{"m", "z"};
   session.apply(
       session::LoadSceneCommand{scene::buildScene(scene::withPlacements(sphere, placements), session.settings())});
   for (int i = 0; i < 4; ++i) {

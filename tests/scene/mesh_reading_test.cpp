@@ -61,7 +61,7 @@ TEST_F(MeshReadingTest, ShirtsInAnyUnitAndTurnOpenAlike) {
       EXPECT_EQ(scene->reading->up, zUp ? "z" : "y") << unit;
       EXPECT_NEAR(scene->summary.size[1], 0.7, 0.03) << unit;
       EXPECT_NEAR(scene->reading->size[1], scene->summary.size[1], 1e-12);
-      EXPECT_TRUE(scene->reading->unitGuessed && scene->reading->upGuessed);
+      EXPECT_TRUE(isGuess(scene->reading->unitReason) && isGuess(scene->reading->upReason));
       EXPECT_GT(pinCount(*scene), 5);
       EXPECT_FALSE(scene->pinAdvice.has_value());
       EXPECT_LT(scene->model->totalMass(), 0.5) << "a shirt, and no tent";
@@ -76,7 +76,7 @@ TEST_F(MeshReadingTest, AGuessGivesTheSamePositionsAsTheWord) {
   EXPECT_EQ(guessed->model->restPositions, said->model->restPositions);
   EXPECT_EQ(guessed->model->pinned, said->model->pinned);
   EXPECT_EQ(guessed->renderMesh.uvs, said->renderMesh.uvs) << "made-up texture coordinates are metres too";
-  EXPECT_FALSE(said->reading->unitGuessed || said->reading->upGuessed);
+  EXPECT_FALSE(isGuess(said->reading->unitReason) || isGuess(said->reading->upReason));
   EXPECT_FALSE(said->reading->needsReview());
 }
 
@@ -108,13 +108,13 @@ TEST(MeshReading, WhatTheFormatPrescribesIsNotGuessed) {
   const MeshReading usual = readUpright(settings, mesh);
   EXPECT_EQ(usual.unit, "m");
   EXPECT_EQ(usual.up, "y");
-  EXPECT_FALSE(usual.unitGuessed || usual.upGuessed || usual.needsReview());
+  EXPECT_FALSE(isGuess(usual.unitReason) || isGuess(usual.upReason) || usual.needsReview());
   mesh.summary.size = {70.0, 20.0, 70.0};
   const MeshReading large = readUpright(settings, mesh);
   EXPECT_EQ(large.unit, "m");
   EXPECT_TRUE(offers(large, "unit", "cm")) << "a shirt of 70 m is told all the same";
   mesh.format = {0.3048, 'z'};
-  EXPECT_EQ(readUpright(settings, mesh).unit, "0.3048");
+  EXPECT_EQ(readUpright(settings, mesh).unit, "foot");
 }
 
 TEST_F(MeshReadingTest, EveryAxisCanBeSaidToPointUp) {

@@ -160,7 +160,8 @@ TEST(SceneFile, namesTheTrueCauseWithFileAndLine) {
       {sheet + "[pins]\nnearest = [[0, 0, 1e9]]", "test.toml:4: pins.nearest must be three numbers from"},
       {sheet + "rotation = [0, 1e7, 0]", "test.toml:3: cloth.rotation must be three numbers from"},
       {sheet + "[settings]\nfoo = 1", "test.toml:4: there is no setting 'foo'; 'drape-headless list settings'"},
-      {sheet + "[settings]\nunit = \"foot\"", "test.toml:4: unit must be auto, m, dm, cm, mm or inch, or metres per"},
+      {sheet + "[settings]\nunit = \"yard\"",
+       "test.toml:4: unit must be auto, m, dm, cm, mm, inch or foot, or metres per"},
       {sheet + "[settings]\nunit = true", "test.toml:4: unit must be"},
       {sheet + "[settings]\nup = \"w\"", "test.toml:4: up must be auto, y, z, x, -y or -z"}};
   for (const auto& [text, message] : cases) {

@@ -21,10 +21,25 @@ TEST(UnitGuess, findsTheUnitOfUsualGarmentsAndBodies) {
   EXPECT_EQ(guessUnit(28.0).unit, "inch") << "a T-shirt of 28 inches rather than a sock of 28 cm";
 }
 
+TEST(UnitGuess, comparesABodyWithPersons) {
+  for (const double metres : {1.55, 1.7, 1.85}) {
+    for (const char* unit : {"m", "dm", "cm", "mm", "inch", "foot"}) {
+      const UnitGuess guess = guessUnit(metres / metresPerUnit(unit), io::MeshUse::Body);
+      EXPECT_EQ(guess.unit, unit) << metres;
+      EXPECT_TRUE(guess.isUsual) << unit;
+    }
+  }
+  EXPECT_EQ(guessUnit(67.0, io::MeshUse::Body).unit, "inch");
+  EXPECT_EQ(guessUnit(67.0).unit, "cm") << "a T-shirt, but no person";
+  EXPECT_FALSE(guessUnit(0.4, io::MeshUse::Body).isUsual) << "a ball";
+  EXPECT_TRUE(guessUnit(0.4).isUsual);
+}
+
 TEST(UnitGuess, namesTheOtherUnitsThatMakeAGarment) {
   const UnitGuess shirt = guessUnit(77.0);
   EXPECT_EQ(shirt.unit, "cm");
   EXPECT_EQ(shirt.others, (std::vector<std::string>{"inch"}));
+  EXPECT_TRUE(guessUnit(0.81).others.empty()) << "a T-shirt of 81 cm rather than one of 25 cm in feet";
   const UnitGuess small = guessUnit(30.0);
   EXPECT_NE(std::find(small.others.begin(), small.others.end(), "cm"), small.others.end());
 }
@@ -53,7 +68,9 @@ TEST(UnitGuess, knowsHowLongUnitsAre) {
   EXPECT_EQ(metresPerUnit("mm"), 0.001);
   EXPECT_EQ(metresPerUnit("inch"), 0.0254);
   EXPECT_EQ(metresPerUnit("0.3048"), 0.3048);
+  EXPECT_EQ(metresPerUnit("foot"), 0.3048);
   EXPECT_EQ(unitInWords("cm"), "centimetres");
+  EXPECT_EQ(wordForUnit(0.3048), "foot");
   EXPECT_EQ(unitInWords("0.3048"), "units of 0.3048 m");
 }
 

@@ -262,7 +262,7 @@ TEST(SettingsTable, refusesAnExpressionWithoutKeyOrValue) {
 }
 
 TEST(SettingsTable, listsTheChoicesWhenAWordIsNone) {
-  EXPECT_NE(refusal("unit=foot").find("cm, mm or inch, or metres per unit from 1e-06 to 1000; 'foot' is not"),
+  EXPECT_NE(refusal("unit=yard").find("mm, inch or foot, or metres per unit from 1e-06 to 1000; 'yard' is not"),
             std::string::npos)
       << refusal("unit=foot");
   EXPECT_NE(refusal("solver=magic").find("one_iteration"), std::string::npos);

@@ -11,9 +11,9 @@ std::shared_ptr<const scene::Scene> withReading(const scene::Scene& from) {
   scene::MeshReading reading;
   reading.unit = "cm";
   reading.metresPerUnit = 0.01;
-  reading.unitGuessed = true;
+  reading.unitReason = scene::ReadingReason::Shape;
   reading.up = "z";
-  reading.upGuessed = true;
+  reading.upReason = scene::ReadingReason::Shape;
   reading.size = {0.6, 0.77, 0.2};
   reading.alternatives = {{"unit", "m"}, {"unit", "inch"}, {"up", "y"}};
   scene->reading = reading;

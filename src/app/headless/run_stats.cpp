@@ -106,9 +106,9 @@ nlohmann::ordered_json readingJson(const std::optional<scene::MeshReading>& read
   }
   return {{"unit", reading->unit},
           {"metres_per_unit", reading->metresPerUnit},
-          {"unit_guessed", reading->unitGuessed},
+          {"unit_guessed", scene::isGuess(reading->unitReason)},
           {"up", reading->up},
-          {"up_guessed", reading->upGuessed},
+          {"up_guessed", scene::isGuess(reading->upReason)},
           {"size", reading->size},
           {"alternatives", std::move(others)},
           {"in_words", scene::inWords(*reading).english()}};
