@@ -114,6 +114,46 @@ TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
   EXPECT_NEAR(high - low, 110.0 * 0.902, 3.0);  // the cape is 0.902 m tall
 }
 
+TEST(Dress, readsTheBodyInItsOwnUnitAndTellsWhatItFound) {
+  const auto folder = testFolder();
+  const std::string body = (folder / "body.obj").string();
+  {
+    std::ofstream text(body);
+    for (const std::string& line : linesOf(assets + "mannequin.obj", "v")) {
+      std::istringstream words(line.substr(2));
+      double x = 0.0;
+      double y = 0.0;
+      double z = 0.0;
+      words >> x >> y >> z;
+      text << "v " << x / 0.0254 << ' ' << -z / 0.0254 << ' ' << y / 0.0254 << '\n';
+    }
+    for (const std::string& line : linesOf(assets + "mannequin.obj", "f")) {
+      std::istringstream words(line.substr(2));
+      text << 'f';
+      for (std::string word; words >> word;) {
+        text << ' ' << word.substr(0, word.find('/'));
+      }
+      text << '\n';
+    }
+  }
+  const auto scene = folder / "fitted.toml";
+  const std::string arguments = "dress builtin:tshirt.obj " + body + " --output ";
+  const Outcome outcome = headless(arguments + (folder / "fitted.obj").string() + " --scene " + scene.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  for (const char* fact : {"unit: inches (the size of a person)", "up axis: z (by its shape)", "1 piece, ",
+                           "m (width x height x depth)", "unit: metres (as the file format prescribes)"}) {
+    EXPECT_NE(outcome.output.find(fact), std::string::npos) << fact << " is not in " << outcome.output;
+  }
+  const Outcome run = headless("run " + scene.string() + " --seconds 0.1 --check-intersections 1");
+  EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
+  const Outcome tiny = headless(arguments + (folder / "tiny.obj").string() + " --body-unit mm --body-up z");
+  EXPECT_EQ(tiny.status, 1);
+  EXPECT_NE(tiny.output.find("unit: millimetres (chosen)"), std::string::npos) << tiny.output;
+  EXPECT_NE(tiny.output.find("up axis: z (chosen)"), std::string::npos) << tiny.output;
+  EXPECT_EQ(headless(arguments + "out.obj --body-unit parsec").status, 2);
+  EXPECT_EQ(headless(arguments + "out.obj --body-up sideways").status, 2);
+}
+
 TEST(Dress, saysWhatIsWrongWithBadInput) {
   const auto folder = testFolder();
   const std::string shirt = assets + "tshirt.obj";

@@ -9,8 +9,10 @@
 #include "dressing/piercing.hpp"
 #include "io/animation/animation.hpp"
 #include "messages/error.hpp"
+#include "scene/found_mesh.hpp"
 #include "scene/garment_on_body.hpp"
 #include "scene/unit_guess.hpp"
+#include "settings/settings_table.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -40,7 +42,8 @@ void writeGarment(scene::Scene scene, const Dressed& result, const DressArgument
 
 /// A scene of the fitted garment, whose unit and axes are known now.
 void writeScene(const scene::Scene& scene, const DressArguments& arguments) {
-  scene::SceneDescription fitted = scene::openGarmentOnBody(arguments.output, arguments.choices.body);
+  scene::SceneDescription fitted =
+      scene::openGarmentOnBody(arguments.output, arguments.choices.body, {}, arguments.choices.bodyReading);
   fitted.bodies.front().meshes = scene.description.bodies.front().meshes;
   settings::Settings settings = scene.settings;
   const scene::MeshPlacement& placement = scene.cloths.front().placement;
@@ -58,6 +61,24 @@ void printNotes(const Dressed& result) {
     std::cerr << "note: where the garment was placed, the centre lines of the body are not inside it: "
               << inWords(result.atCentreLines) << '\n';
   }
+}
+
+/// Prints what was found in a file, and how it is read.
+void printFound(const std::string& file, const scene::ReadingChoice& choice, io::MeshUse use) {
+  const scene::FoundMesh found = scene::findMesh(file);
+  const scene::MeshReading reading = scene::readingOf(found, choice, use);
+  std::cout << (use == io::MeshUse::Body ? "body: " : "garment: ") << file << '\n';
+  for (const text::Sentence& fact : scene::inWords(found, reading, use)) {
+    std::cout << "  " << fact << '\n';
+  }
+}
+
+/// How the garment is read, before it is scaled. @param changes of the settings, each key=value
+scene::ReadingChoice garmentReading(settings::Settings settings, const std::vector<std::string>& changes) {
+  for (const std::string& change : changes) {
+    settings::assignSettingExpression(settings, change);
+  }
+  return {settings.mesh.unit, settings.mesh.up};
 }
 
 /// Throws InputError if the file exists or cannot be written. @param what it will contain, for messages
@@ -85,6 +106,11 @@ void DressArguments::run() const {
     requireNewFile(sceneFile(sceneOutput), "the scene");
   }
   const auto scene = choices.open(settings);
+  const bool isBuiltIn = scene::isBuiltInWear(choices.garment);
+  printFound(choices.garment,
+             isBuiltIn ? scene::ReadingChoice() : garmentReading(scene->description.settings, settings.settings),
+             io::MeshUse::Cloth);
+  printFound(choices.body, choices.bodyReading, io::MeshUse::Body);
   const sim::ClothMesh body = dressing::bodiesAtStart(*scene).front().mesh;
   requireDressable({choices.garment, choices.body}, {scene->start.positions, scene->model->triangles}, body);
   const Dressed result = dressed(*scene, body, choices);

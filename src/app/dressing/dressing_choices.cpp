@@ -1,5 +1,6 @@
 #include "app/dressing/dressing_choices.hpp"
 
+#include "messages/error.hpp"
 #include "scene/garment_on_body.hpp"
 #include "settings/settings_table.hpp"
 
@@ -17,6 +18,20 @@ const std::map<std::string, PlacementRule>& rulesByName() {
                                                           {"landmarks", PlacementRule::Landmarks},
                                                           {"boxes", PlacementRule::Boxes}};
   return rules;
+}
+
+/// Checks a value of a setting.
+CLI::Validator valueOf(const char* key) {
+  return {[key](const std::string& text) -> std::string {
+            try {
+              settings::Settings settings;
+              settings::assignSettingText(settings, settings::requireSetting(key), text);
+              return {};
+            } catch (const messages::UsageError& error) {
+              return error.what();
+            }
+          },
+          ""};
 }
 
 }  // namespace
@@ -44,6 +59,16 @@ void DressingChoices::addTo(CLI::App& app) {
   app.add_option("--turn", turn, "Turn the garment about the vertical after the placement [degrees]")
       ->check(numberFrom(-fullTurn, fullTurn));
   app.add_option("--scale", scale, "A factor on all lengths of the garment")->check(numberFrom(0.001, 1000.0));
+  app.add_option("--body-unit", bodyReading.unit,
+                 "The unit of the body's file, as the setting unit is that of the garment: auto, m, dm, cm, mm, inch, "
+                 "foot, or metres per unit")
+      ->type_name("UNIT")
+      ->check(valueOf("unit"));
+  app.add_option("--body-up", bodyReading.up,
+                 "The axis of the body's file that points up, as the setting up is that of the garment: auto, y, z, x, "
+                 "-y or -z")
+      ->type_name("AXIS")
+      ->check(valueOf("up"));
   app.add_option("--max-seconds", maxSeconds,
                  "Stop after this simulated time with the full body, if intersections are left [s]")
       ->check(numberFrom(0.0, 1000.0));
@@ -51,7 +76,7 @@ void DressingChoices::addTo(CLI::App& app) {
 
 std::shared_ptr<const scene::Scene> DressingChoices::open(const SceneArguments& arguments,
                                                           const settings::OwnFabrics& own) const {
-  const scene::SceneDescription description = scene::openGarmentOnBody(garment, body, own);
+  const scene::SceneDescription description = scene::openGarmentOnBody(garment, body, own, bodyReading);
   auto scene = arguments.build(description);
   if (scale == 1.0) {
     return scene;

@@ -2,6 +2,7 @@
 
 #include "app/command_line.hpp"
 #include "dressing/dressing.hpp"
+#include "scene/mesh_reading.hpp"
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -12,13 +13,14 @@ namespace drape::app {
 
 /// What to dress and how: the arguments "GARMENT BODY --place ..." that the commands `dress` of both programs share.
 struct DressingChoices {
-  std::string garment;        ///< a mesh file, or "builtin:tshirt.obj"
-  std::string body;           ///< a mesh file, "mannequin" or "figure"
-  std::string rule = "auto";  ///< of the placement
-  std::vector<double> move;   ///< x, y, z [m]; empty: none
-  double turn = 0.0;          ///< about the vertical [degrees]
-  double scale = 1.0;         ///< of the garment [-]
-  double maxSeconds = 4.0;    ///< of the simulation after the body has its full size [s]
+  std::string garment;               ///< a mesh file, or "builtin:tshirt.obj"
+  std::string body;                  ///< a mesh file, "mannequin" or "figure"
+  std::string rule = "auto";         ///< of the placement
+  std::vector<double> move;          ///< x, y, z [m]; empty: none
+  double turn = 0.0;                 ///< about the vertical [degrees]
+  double scale = 1.0;                ///< of the garment [-]
+  scene::ReadingChoice bodyReading;  ///< the unit and the up axis of the body's file; those of the garment are settings
+  double maxSeconds = 4.0;           ///< of the simulation after the body has its full size [s]
 
   void addTo(CLI::App& app);
 
