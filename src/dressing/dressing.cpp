@@ -34,6 +34,11 @@ Pose byHand(const Pose& placed, const std::vector<Vec3>& start, const DressingOp
   return pose;
 }
 
+Placement placedBy(const DressingOptions& options, const sim::ClothMesh& garment, const ShrinkingBody& body,
+                   const BodyParts& parts) {
+  return place(garment, body, parts, options.rule, [&](double share) { options.progress(Stage::Placing, share); });
+}
+
 /// The least shrunk frame from which on no triangle of the garment passes through the body; the thinnest one if there
 /// is none.
 std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const std::vector<Vec3>& positions) {
@@ -113,6 +118,15 @@ Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body) {
   return garmentSide < smallestRatio * bodySide ? Misfit::GarmentTooSmall : Misfit::None;
 }
 
+Placement placeOn(const sim::ClothModel& model, const std::vector<Vec3>& start, const sim::ClothMesh& body,
+                  const DressingOptions& options) {
+  options.progress(Stage::Shrinking, 0.0);
+  const ShrinkingBody shrinking(body);
+  Placement placement = placedBy(options, {start, model.triangles}, shrinking, BodyParts(shrinking));
+  placement.pose = byHand(placement.pose, start, options);
+  return placement;
+}
+
 Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, const sim::ClothMesh& body,
               const DressingOptions& options) {
   Dressed result;
@@ -120,8 +134,7 @@ Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, cons
   const ShrinkingBody shrinking(body);
   const BodyParts parts(shrinking);
   const sim::ClothMesh garment{start, model.triangles};
-  result.placement =
-      place(garment, shrinking, parts, options.rule, [&](double share) { options.progress(Stage::Placing, share); });
+  result.placement = placedBy(options, garment, shrinking, parts);
   result.placement.pose = byHand(result.placement.pose, start, options);
   std::vector<Vec3> positions = moved(start, result.placement.pose);
   const GarmentOpenings openings({positions, model.triangles});

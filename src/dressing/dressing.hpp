@@ -53,6 +53,11 @@ inline constexpr double smallestRatio = 0.02;
 /// @param body, garment in the scene [m]
 [[nodiscard]] Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body);
 
+/// Finds the place of a garment on a body, and leaves the intersections: the first step of dress().
+/// @param start of the garment, in the coordinates of its file [m]  @param body as for dress()
+[[nodiscard]] Placement placeOn(const sim::ClothModel& model, const std::vector<Vec3>& start,
+                                const sim::ClothMesh& body, const DressingOptions& options);
+
 /// Places a garment on a body and removes all intersections: the body is shrunk until no triangle of the garment passes
 /// through it, and grows again while it pushes the garment outwards (Fitting). The result is judged by the exact
 /// intersection test.

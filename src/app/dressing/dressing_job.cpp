@@ -37,13 +37,15 @@ std::optional<DressingJob::Outcome> DressingJob::poll() {
 
 DressingJob::Outcome DressingJob::run() {
   try {
-    return dressFirstThatFits();
+    return order_.onlyPlaces ? placeOnly() : dressFirstThatFits();
   } catch (const Cancelled&) {
-    return {text::Sentence("Dressing was cancelled"), false, std::nullopt};
+    return {text::Sentence(order_.onlyPlaces ? "Placing was cancelled" : "Dressing was cancelled"), false, std::nullopt,
+            std::nullopt};
   } catch (const std::bad_alloc&) {
-    return {text::Sentence("Not enough memory to dress the body. Use smaller meshes."), true, std::nullopt};
+    return {text::Sentence("Not enough memory to dress the body. Use smaller meshes."), true, std::nullopt,
+            std::nullopt};
   } catch (const std::exception& error) {
-    return {messages::sentenceOf(error), true, std::nullopt};
+    return {messages::sentenceOf(error), true, std::nullopt, std::nullopt};
   }
 }
 
@@ -62,20 +64,30 @@ DressingJob::Outcome DressingJob::dressFirstThatFits() {
     }
     const bool right = isRight(result);
     const WearNames& names = order_.names;
-    const text::Sentence summary = summaryOf(result);
+    const text::Sentence summary = summaryOf(result, attempt.isByHand);
     Outcome outcome{right ? text::Sentence("Dressed {} on {}: {}", names.garment, names.body, summary)
                           : text::Sentence("Not all is right with {} on {}: {}. {}", names.garment, names.body, summary,
                                            text::Sentence(advice)),
-                    !right, session::PlaceClothCommand{std::move(result.positions), attempt.isStart}};
+                    !right, session::PlaceClothCommand{std::move(result.positions), attempt.isStart}, std::nullopt};
     if (right) {
       return outcome;
     }
     worn = std::move(outcome);
   }
-  return worn ? *std::move(worn) : Outcome{refusal, true, std::nullopt};
+  return worn ? *std::move(worn) : Outcome{refusal, true, std::nullopt, std::nullopt};
 }
 
-dressing::Dressed DressingJob::dressBy(const sim::ClothModel& model, const DressingAttempt& attempt) {
+DressingJob::Outcome DressingJob::placeOnly() {
+  const DressingAttempt& attempt = order_.attempts.front();
+  requireDressable(order_.names, {attempt.start, order_.model->triangles}, attempt.body);
+  const dressing::Placement placement =
+      dressing::placeOn(*order_.model, attempt.start, attempt.body, optionsFor(attempt));
+  return {text::Sentence("{} is on {}, {}. Move, turn or scale it, then press Dress", order_.names.garment,
+                         order_.names.body, inWords(placement.rule)),
+          false, std::nullopt, placement.pose};
+}
+
+dressing::DressingOptions DressingJob::optionsFor(const DressingAttempt& attempt) {
   dressing::DressingOptions options = order_.options;
   options.rule = attempt.rule;
   options.progress = [this](dressing::Stage stage, double share) {
@@ -85,7 +97,11 @@ dressing::Dressed DressingJob::dressBy(const sim::ClothModel& model, const Dress
     stage_ = stage;
     share_ = share;
   };
-  return dressing::dress(model, attempt.start, attempt.body, options);
+  return options;
+}
+
+dressing::Dressed DressingJob::dressBy(const sim::ClothModel& model, const DressingAttempt& attempt) {
+  return dressing::dress(model, attempt.start, attempt.body, optionsFor(attempt));
 }
 
 }  // namespace drape::app

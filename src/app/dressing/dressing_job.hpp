@@ -19,7 +19,8 @@ struct DressingAttempt {
   std::vector<Vec3> start;  ///< of the garment [m]
   sim::ClothMesh body;      ///< in the scene [m]
   dressing::PlacementRule rule = dressing::PlacementRule::Auto;
-  bool isStart = true;  ///< whether the result is a start of the scene, see PlaceClothCommand
+  bool isStart = true;    ///< whether the result is a start of the scene, see PlaceClothCommand
+  bool isByHand = false;  ///< whether the user placed the garment
 };
 
 /// What a DressingJob does.
@@ -28,6 +29,7 @@ struct DressingOrder {
   std::shared_ptr<const sim::ClothModel> model;  ///< never null; its pins are released
   std::vector<DressingAttempt> attempts;         ///< at least one; in this order, until one leaves nothing wrong
   dressing::DressingOptions options;             ///< without rule and progress
+  bool onlyPlaces = false;                       ///< by the first attempt; the intersections stay
 };
 
 /// Dresses a body on its own thread.
@@ -45,6 +47,7 @@ class DressingJob {
     /// The garment on the body. Empty if it was cancelled or cannot be worn; otherwise also where something is wrong
     /// with the result.
     std::optional<session::PlaceClothCommand> placed;
+    std::optional<sim::contact::Pose> pose;  ///< of the garment after its start, if the order only places it
   };
 
   explicit DressingJob(DressingOrder order);
@@ -55,6 +58,7 @@ class DressingJob {
 
   [[nodiscard]] Progress progress() const { return {stage_, share_}; }
   [[nodiscard]] const WearNames& names() const { return order_.names; }
+  [[nodiscard]] bool onlyPlaces() const { return order_.onlyPlaces; }
 
   /// Ends the job soon.
   void cancel() { stop_.request_stop(); }
@@ -65,6 +69,8 @@ class DressingJob {
  private:
   [[nodiscard]] Outcome run();
   [[nodiscard]] Outcome dressFirstThatFits();
+  [[nodiscard]] Outcome placeOnly();
+  [[nodiscard]] dressing::DressingOptions optionsFor(const DressingAttempt& attempt);
   [[nodiscard]] dressing::Dressed dressBy(const sim::ClothModel& model, const DressingAttempt& attempt);
 
   DressingOrder order_;

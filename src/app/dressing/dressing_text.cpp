@@ -168,9 +168,11 @@ Sentence inWords(const std::vector<dressing::Piercing>& piercings, const scene::
   return words;
 }
 
-Sentence summaryOf(const dressing::Dressed& result) {
-  Sentence words("{}; {} intersected there, and {} at the end", inWords(result.placement.rule), inWords(result.before),
-                 inWords(result.after));
+Sentence summaryOf(const dressing::Dressed& result, bool isByHand) {
+  const Sentence place = isByHand && result.placement.rule == dressing::PlacementRule::File
+                             ? Sentence("from where you placed it")
+                             : inWords(result.placement.rule);
+  Sentence words("{}; {} intersected there, and {} at the end", place, inWords(result.before), inWords(result.after));
   return words.append(": ", inWords(result.faults));
 }
 

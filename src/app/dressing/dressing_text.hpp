@@ -33,7 +33,8 @@ namespace drape::app {
 
 /// How a garment that can be worn was placed, and the intersections before and after: "placed as in its file; 12 pairs
 /// of triangles ... intersected there, and no triangles at the end".
-[[nodiscard]] text::Sentence summaryOf(const dressing::Dressed& result);
+/// @param isByHand whether the user had placed it, and dressing left it there
+[[nodiscard]] text::Sentence summaryOf(const dressing::Dressed& result, bool isByHand = false);
 
 /// Why a garment cannot be worn, in whole sentences. @param garment its name
 [[nodiscard]] text::Sentence refusalOf(const dressing::Dressed& result, const std::string& garment);

@@ -1,6 +1,7 @@
 #include "app/dressing/dressing_job.hpp"
 #include "intersection/intersections.hpp"
 #include "shapes.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <gtest/gtest.h>
 #include <chrono>
@@ -118,6 +119,41 @@ TEST(DressingJob, givesTheBitsOfDressingWithoutAThread) {
   const DressingJob::Outcome outcome = outcomeOf(job);
   ASSERT_TRUE(outcome.placed);
   EXPECT_EQ(outcome.placed->positions, expected.positions);
+}
+
+TEST(DressingJob, saysThatItStartedWhereTheUserPlacedIt) {
+  DressingOrder order = orderOf(tube(0.19, 0.4), ellipsoid({0.2, 0.5, 0.2}));
+  order.attempts.front().isByHand = true;
+  DressingJob job(std::move(order));
+  const DressingJob::Outcome outcome = outcomeOf(job);
+  EXPECT_NE(outcome.message.english().find("from where you placed it; "), std::string::npos) << outcome.message;
+}
+
+TEST(DressingJob, onlyPlacesIfTheOrderSaysSo) {
+  const sim::ClothMesh garment = shifted(tshirt(), {0.7, 0.4, 0.3});
+  DressingOrder order = orderOf(garment, mannequin());
+  order.attempts.front().rule = dressing::PlacementRule::Auto;
+  order.onlyPlaces = true;
+  DressingJob job(std::move(order));
+  const DressingJob::Outcome outcome = outcomeOf(job);
+  EXPECT_FALSE(outcome.hasFailed) << outcome.message;
+  EXPECT_FALSE(outcome.placed) << "nothing is dressed";
+  ASSERT_TRUE(outcome.pose);
+  const std::vector<Vec3> placed = dressing::moved(garment.positions, *outcome.pose);
+  EXPECT_LT((sim::boundsOf(placed).center() - sim::boundsOf(tshirt().positions).center()).norm(), 0.1)
+      << "about where the T-shirt is worn";
+  EXPECT_NE(outcome.message.english().find("placed by neck, sleeves or waist"), std::string::npos) << outcome.message;
+}
+
+TEST(DressingJob, cancelsAPlacement) {
+  DressingOrder order = orderOf(shifted(tshirt(), {0.7, 0.4, 0.3}), mannequin());
+  order.attempts.front().rule = dressing::PlacementRule::Auto;
+  order.onlyPlaces = true;
+  DressingJob job(std::move(order));
+  job.cancel();
+  const DressingJob::Outcome outcome = outcomeOf(job);
+  EXPECT_FALSE(outcome.pose);
+  EXPECT_EQ(outcome.message, "Placing was cancelled");
 }
 
 }  // namespace
