@@ -147,6 +147,13 @@ void addPlacements(const session::UserState& from, const session::UserState& to,
       changes.push_back(Sentence("placement of the {}", scene::nameOf(scene.description, thing)));
     }
   }
+  const auto& before = from.placements.readings;
+  const auto& after = to.placements.readings;
+  for (std::size_t i = 0; i < std::min({before.size(), after.size(), scene.description.bodies.size()}); ++i) {
+    if (before[i] != after[i]) {
+      changes.push_back(Sentence("unit and up axis of {}", scene.description.bodies[i].body.name));
+    }
+  }
 }
 
 }  // namespace

@@ -5,6 +5,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +16,17 @@ namespace {
 
 constexpr const char* explanation =
     "The other meshes become bodies that the cloth meets.\n"
-    "Open reads them in the unit of the cloth and leaves all where the files put it.\n"
+    "Open leaves all where the files put it.\n"
+    "Place puts the cloth on the body, where you move, turn and scale both before you dress.\n"
     "Dress puts the cloth on the body and removes all intersections.";
+
+/// What the dialog shows.
+struct DropView {
+  const DroppedFiles& files;
+  std::span<const FoundFile> found;
+  std::vector<std::optional<scene::MeshReading>> readings;  ///< of the meshes
+  std::vector<std::string> names;                           ///< of what can be the cloth
+};
 
 /// The names of what can be the cloth.
 std::vector<std::string> namesOfChoices(const PanelContext& context, const DroppedFiles& files) {
@@ -25,84 +37,223 @@ std::vector<std::string> namesOfChoices(const PanelContext& context, const Dropp
   return choices;
 }
 
-/// One line for each choice. Returns the index of the chosen one.
-std::size_t radioButtons(PanelContext& context, const std::vector<std::string>& choices, std::size_t chosen,
-                         float textWidth) {
-  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.5F * context.scale);
-  ImGui::PushStyleColor(ImGuiCol_Border, palette().muted);
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    ImGui::PushID(static_cast<int>(i));
-    if (ImGui::RadioButton((fitted(choices[i], textWidth) + "###choice").c_str(), i == chosen)) {
-      chosen = i;
-    }
-    context.buttons["cloth." + std::to_string(i)] = lastItemRect();
-    ImGui::PopID();
-  }
-  ImGui::PopStyleColor();
-  ImGui::PopStyleVar();
-  return chosen;
+const FoundFile* findFile(const DropView& shown, std::size_t mesh) {
+  const auto file = std::ranges::find(shown.found, shown.files.meshes[mesh], &FoundFile::file);
+  return file == shown.found.end() ? nullptr : &*file;
 }
 
-/// The choices, in a box that scrolls when they do not all fit into the picture.
-std::size_t clothChoice(PanelContext& context, const UiRect& view, const std::vector<std::string>& choices,
-                        std::size_t chosen) {
-  const ImGuiStyle& style = ImGui::GetStyle();
-  const float row = ImGui::GetFrameHeightWithSpacing();
-  const float button = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
-  float textWidth = 0.0F;
-  for (const std::string& choice : choices) {
-    textWidth = std::max(textWidth, ImGui::CalcTextSize(choice.c_str()).x);
+/// The lengths of the rows about a mesh [pixels].
+struct DropLayout {
+  float indent = 0.0F;
+  float label = 0.0F;    ///< of the names of the rows
+  float choices = 0.0F;  ///< of a unit
+  float text = 0.0F;     ///< of what is right of the choices
+  float width = 0.0F;    ///< of all
+  float height = 0.0F;   ///< of all meshes
+};
+
+/// Of the sentences beside the choices, the widest one [pixels].
+float widthOfReasons(const PanelContext& context, const DropView& shown, std::size_t cloth) {
+  float widest = 0.0F;
+  const auto take = [&](const text::Sentence& sentence) {
+    widest = std::max(widest, ImGui::CalcTextSize(context.texts(sentence).c_str()).x);
+  };
+  for (std::size_t i = 0; i < shown.readings.size(); ++i) {
+    const FoundFile* file = findFile(shown, i);
+    if (shown.readings[i] && file != nullptr && file->mesh) {
+      const io::MeshUse use = i == cloth ? io::MeshUse::Cloth : io::MeshUse::Body;
+      take(scene::unitReasonInWords(*file->mesh, *shown.readings[i], use));
+      take(scene::upReasonInWords(*shown.readings[i]));
+    }
   }
-  const float widest = static_cast<float>(view.width) - button - style.ScrollbarSize - 6.0F * style.WindowPadding.x;
-  textWidth = std::min(textWidth, std::max(widest, 12.0F * ImGui::GetFontSize())) + 1.0F;
-  const float room = std::max(2.0F * row, static_cast<float>(view.height) - 9.0F * row);
-  const float height = std::min(room, row * static_cast<float>(choices.size()));
-  // As wide as the text below, so that the scroll bar is at the edge of the dialog.
-  const float below =
-      std::min(ImGui::CalcTextSize(context.texts(explanation).c_str()).x, ImGui::GetIO().DisplaySize.x - 3.0F * button);
-  ImGui::BeginChild("choices", {std::max(below, textWidth + button + style.ScrollbarSize), height});
-  chosen = radioButtons(context, choices, chosen, textWidth);
+  return widest;
+}
+
+DropLayout layoutOf(const PanelContext& context, const UiRect& view, const DropView& shown, std::size_t cloth) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  DropLayout layout;
+  layout.indent = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
+  for (const char* label : {"Unit", "Up axis"}) {
+    layout.label = std::max(layout.label, ImGui::CalcTextSize(context.texts(label).c_str()).x + style.ItemSpacing.x);
+  }
+  layout.choices = 17.0F * ImGui::GetFontSize();
+  float names = 0.0F;
+  for (const std::string& name : shown.names) {
+    names = std::max(names, ImGui::CalcTextSize(name.c_str()).x);
+  }
+  const float left = layout.indent + layout.label + layout.choices + style.ItemSpacing.x;
+  const float below = ImGui::CalcTextSize(context.texts(explanation).c_str()).x;
+  const float wanted = std::max({left + widthOfReasons(context, shown, cloth), layout.indent + names, below}) +
+                       style.ScrollbarSize + 1.0F;
+  // In a narrow window the dialog covers the panels, too.
+  const float widest = ImGui::GetIO().DisplaySize.x - style.ScrollbarSize - 6.0F * style.WindowPadding.x;
+  layout.width = std::min(wanted, widest);
+  layout.text = std::max(0.0F, layout.width - style.ScrollbarSize - left);
+  const float row = ImGui::GetFrameHeightWithSpacing();
+  const float block = 3.0F * row + 2.0F * ImGui::GetTextLineHeightWithSpacing() + style.ItemSpacing.y;
+  const auto meshes = static_cast<float>(shown.files.meshes.size());
+  const float all = block * meshes + row * (static_cast<float>(shown.names.size()) - meshes);
+  layout.height = std::min(all, std::max(2.0F * row, static_cast<float>(view.height) - 10.0F * row));
+  return layout;
+}
+
+void choiceLabel(const PanelContext& context, const char* label, const DropLayout& layout) {
+  const float start = ImGui::GetCursorPosX();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(context.texts(label).c_str());
+  ImGui::SameLine(start + layout.label);
+}
+
+/// A sentence right of the choices, cut where the dialog ends.
+void reasonText(const PanelContext& context, const text::Sentence& reason, float start, const DropLayout& layout) {
+  ImGui::SameLine(start + layout.label + layout.choices + ImGui::GetStyle().ItemSpacing.x);
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
+  ImGui::TextUnformatted(fitted(context.texts(reason), layout.text).c_str());
+  ImGui::PopStyleColor();
+}
+
+/// What was found in a mesh, and the choices of its unit and up axis.
+void factRows(PanelContext& context, const scene::FoundMesh& mesh, const scene::MeshReading& reading, io::MeshUse use,
+              const std::string& name, const DropLayout& layout, scene::ReadingChoice& choice) {
+  mutedText(context.texts(scene::sizeInWords(reading)));
+  mutedText(context.texts(scene::countsInWords(mesh)));
+  const float start = ImGui::GetCursorPosX();
+  choiceLabel(context, "Unit", layout);
+  ImGui::SetNextItemWidth(layout.choices);
+  if (const std::string unit = unitChoice(context, name + ".unit", reading.unit); unit != reading.unit) {
+    choice.unit = unit;
+  }
+  reasonText(context, scene::unitReasonInWords(mesh, reading, use), start, layout);
+  choiceLabel(context, "Up axis", layout);
+  ImGui::SetNextItemWidth(layout.choices);
+  if (const std::string up = upChoice(context, name + ".up", reading.up); up != reading.up) {
+    choice.up = up;
+  }
+  reasonText(context, scene::upReasonInWords(reading), start, layout);
+}
+
+void meshRows(PanelContext& context, const DropView& shown, std::size_t i, const DropLayout& layout,
+              DropChoices& choices) {
+  const ImVec2 top = ImGui::GetCursorPos();
+  ImGui::Indent(layout.indent);
+  const FoundFile* file = findFile(shown, i);
+  if (file == nullptr || (!file->mesh && file->problem.empty()) || (file->mesh && !shown.readings[i])) {
+    mutedText(context.texts("Reading the file \u2026"));
+  } else if (!file->mesh) {
+    ImGui::PushStyleColor(ImGuiCol_Text, palette().warning);
+    ImGui::TextWrapped("%s", context.texts(file->problem).c_str());
+    ImGui::PopStyleColor();
+  } else {
+    const io::MeshUse use = i == choices.cloth ? io::MeshUse::Cloth : io::MeshUse::Body;
+    factRows(context, *file->mesh, *shown.readings[i], use, "drop." + std::to_string(i), layout, choices.readings[i]);
+  }
+  ImGui::Unindent(layout.indent);
+  const float rows = 2.0F * (ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing());
+  ImGui::SetCursorPos({top.x, std::max(ImGui::GetCursorPosY(), top.y + rows)});
+  ImGui::Spacing();
+}
+
+void radioButton(PanelContext& context, const std::string& name, std::size_t i, const DropLayout& layout,
+                 DropChoices& choices) {
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.5F * context.scale);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette().muted);
+  const float room = layout.width - layout.indent - ImGui::GetStyle().ScrollbarSize;
+  if (ImGui::RadioButton((fitted(name, room) + "###choice").c_str(), i == choices.cloth)) {
+    choices.cloth = i;
+  }
+  context.buttons["cloth." + std::to_string(i)] = lastItemRect();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+}
+
+/// What can be the cloth, in a box that scrolls when it does not all fit into the picture.
+void clothChoice(PanelContext& context, const UiRect& view, const DropView& shown, DropChoices& choices) {
+  const DropLayout layout = layoutOf(context, view, shown, choices.cloth);
+  ImGui::BeginChild("choices", {layout.width, layout.height});
+  for (std::size_t i = 0; i < shown.names.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    radioButton(context, shown.names[i], i, layout, choices);
+    if (i < shown.files.meshes.size()) {
+      meshRows(context, shown, i, layout, choices);
+    }
+    ImGui::PopID();
+  }
   ImGui::EndChild();
-  return chosen;
+}
+
+/// Puts the next button beside the last one, if there is room for it.
+void besideIfItFits(float width) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  if (ImGui::GetItemRectMax().x + 2.0F * style.ItemSpacing.x + width < ImGui::GetIO().DisplaySize.x) {
+    ImGui::SameLine();
+  }
+}
+
+/// How the user answers.
+enum class DropAnswer { None, Open, Place, Dress, Alone, Cancel };
+
+DropAnswer buttonsOf(PanelContext& context, const DroppedFiles& files) {
+  float width = 118.0F * context.scale;
+  for (const char* word : {"Open (Enter)", "Place", "Dress", "Cancel (Esc)"}) {
+    width = widthOfButton(context, word, width);
+  }
+  DropAnswer answer = DropAnswer::None;
+  const auto button = [&](const char* name, const Wording& word, DropAnswer meaning, bool strong = false) {
+    if (meaning != DropAnswer::Open) {
+      besideIfItFits(width);
+    }
+    if (iconButton(context, name, Icon::None, word, width, strong)) {
+      answer = meaning;
+    }
+  };
+  button("drop.open", "Open (Enter)", DropAnswer::Open, true);
+  button("drop.place", "Place", DropAnswer::Place);
+  button("drop.dress", "Dress", DropAnswer::Dress);
+  if (!files.alone.empty()) {
+    button("drop.alone",
+           text::Sentence::verbatim(fitted(context.texts("Only {}", shortName(files.alone)),
+                                           width - 2.0F * ImGui::GetStyle().FramePadding.x)),
+           DropAnswer::Alone);
+  }
+  button("drop.cancel", "Cancel (Esc)", DropAnswer::Cancel);
+  const bool enter = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
+                     ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
+  return answer == DropAnswer::None && enter ? DropAnswer::Open : answer;
+}
+
+scene::SceneParts partsFor(DropAnswer answer, const DropView& shown, const DropChoices& choices) {
+  const DroppedFiles& files = shown.files;
+  if (answer == DropAnswer::Alone) {
+    scene::SceneParts alone{.scene = files.alone};
+    const auto mesh = std::ranges::find(files.meshes, files.alone);
+    if (mesh != files.meshes.end()) {
+      alone.clothReading = choices.readings.at(static_cast<std::size_t>(mesh - files.meshes.begin()));
+    }
+    return alone;
+  }
+  scene::SceneParts parts = partsBy(files, choices, shown.found);
+  parts.dressed = answer != DropAnswer::Open;
+  parts.placed = answer == DropAnswer::Place;
+  return parts;
 }
 
 }  // namespace
 
-bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files, std::size_t& cloth) {
+bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files, DropChoices& choices) {
+  const DropView shown{files, context.stats.found, readingsBy(files, choices, context.stats.found),
+                       namesOfChoices(context, files)};
   beginDialog(context, view, "drop", "Which one is the cloth?");
-  cloth = clothChoice(context, view, namesOfChoices(context, files), cloth);
+  clothChoice(context, view, shown, choices);
   ImGui::Spacing();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette().muted);
-  ImGui::TextUnformatted(context.texts(explanation).c_str());
-  ImGui::PopStyleColor();
+  mutedText(context.texts(explanation));
   ImGui::Spacing();
-  float width = 130.0F * context.scale;
-  for (const char* word : {"Open (Enter)", "Dress", "Cancel (Esc)"}) {
-    width = widthOfButton(context, word, width);
-  }
-  const bool open = iconButton(context, "drop.open", Icon::None, "Open (Enter)", width, true) ||
-                    ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) ||
-                    ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_KeyPadEnter), false);
-  ImGui::SameLine();
-  const bool dress = iconButton(context, "drop.dress", Icon::None, "Dress", width);
-  bool alone = false;
-  if (!files.alone.empty()) {
-    ImGui::SameLine();
-    alone =
-        iconButton(context, "drop.alone", Icon::None,
-                   text::Sentence::verbatim(fitted(context.texts("Only {}", shortName(files.alone)), width)), width);
-  }
-  ImGui::SameLine();
-  const bool cancel = iconButton(context, "drop.cancel", Icon::None, "Cancel (Esc)", width);
-  if (open || dress) {
-    scene::SceneParts parts = partsWithCloth(files, cloth);
-    parts.dressed = dress;
-    context.output.requests.emplace_back(OpenPartsRequest{std::move(parts)});
-  } else if (alone) {
-    context.output.requests.emplace_back(OpenPartsRequest{{.scene = files.alone}});
+  const DropAnswer answer = buttonsOf(context, files);
+  if (answer != DropAnswer::None && answer != DropAnswer::Cancel) {
+    context.output.requests.emplace_back(OpenPartsRequest{partsFor(answer, shown, choices)});
   }
   endDialog();
-  return !open && !dress && !alone && !cancel;
+  return answer == DropAnswer::None;
 }
 
 }  // namespace drape::ui

@@ -2,8 +2,10 @@
 
 #include "io/mesh_import.hpp"
 #include "io/point_cache_import.hpp"
+#include "scene/reading_change.hpp"
 #include "text/words.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -31,6 +33,32 @@ bool hasMeshBody(const scene::SceneDescription& scene) {
   return std::ranges::any_of(scene.bodies, [](const scene::BodyDescription& body) { return !body.meshes.empty(); });
 }
 
+/// How the file of a body in the window is read; "auto" where that cannot be changed.
+scene::ReadingChoice readingOfBody(const scene::Scene& scene, std::size_t body) {
+  return scene::changeableReading(scene, {scene::Placeable::Kind::Body, body}).value_or(scene::ReadingChoice());
+}
+
+/// The file of the garment that was opened without a scene; empty if there is none.
+std::string garmentIn(const scene::SceneDescription& description) {
+  return !description.opened               ? std::string()
+         : description.parts.cloth.empty() ? description.parts.scene
+                                           : description.parts.cloth;
+}
+
+/// Whether the window has a garment without a body, other than that file.
+bool isGarmentAlone(const scene::Scene& present, const std::string& other) {
+  const std::string garment = garmentIn(present.description);
+  return !garment.empty() && present.description.bodies.empty() && garment != other;
+}
+
+/// The garment in the window with a dropped body.
+DroppedFiles joinedAsBody(const scene::Scene& present, DroppedFiles files) {
+  files.alone = files.meshes.front();
+  files.meshes = {garmentIn(present.description), files.alone};
+  files.readings = {{present.settings.mesh.unit, present.settings.mesh.up}, {}};
+  return files;
+}
+
 std::string listOf(const std::vector<std::string>& files) {
   std::string names;
   for (const std::string& file : files) {
@@ -52,7 +80,7 @@ std::vector<std::string> distinctNames(const std::vector<std::string>& files) {
     const auto same =
         std::count_if(files.begin(), files.end(), [&](const std::string& other) { return shortName(other) == name; });
     const std::string folder = std::filesystem::path(file).parent_path().filename().string();
-    names.push_back(same > 1 && !folder.empty() ? name + " (" + folder + ")" : name);
+    names.push_back(same > 1 && !folder.empty() ? fmt::format("{} ({})", name, folder) : name);
   }
   return names;
 }
@@ -70,18 +98,32 @@ DroppedFiles sortDropped(const std::vector<std::string>& files) {
   return sorted;
 }
 
-DroppedFiles joinedWith(const scene::SceneDescription& present, DroppedFiles files) {
+std::optional<DroppedFiles> joinedIfBody(const scene::Scene& present, DroppedFiles files) {
+  if (files.meshes.size() != 1 || !files.scenes.empty() || !isGarmentAlone(present, files.meshes.front())) {
+    return std::nullopt;
+  }
+  return joinedAsBody(present, std::move(files));
+}
+
+DroppedFiles joinedWith(const scene::Scene& present, DroppedFiles files) {
+  const scene::SceneDescription& description = present.description;
   if (files.meshes.size() != 1 || !files.scenes.empty()) {
     return files;
   }
   const std::string dropped = files.meshes.front();
-  const std::string cloth = present.parts.cloth.empty() ? present.parts.scene : present.parts.cloth;
-  if (present.opened && present.bodies.empty() && isBody(files, dropped) && cloth != dropped) {
-    files.meshes = {cloth, dropped};
-  } else if (present.opened && !present.parts.bodies.empty() && !isBody(files, dropped)) {
-    files.meshes.insert(files.meshes.end(), present.parts.bodies.begin(), present.parts.bodies.end());
-  } else if (!present.opened && hasMeshBody(present) && !isBody(files, dropped)) {
-    files.scenes = {present.parts.scene};
+  const std::vector<std::string>& bodies = description.parts.bodies;
+  if (isGarmentAlone(present, dropped) && isBody(files, dropped)) {
+    return joinedAsBody(present, std::move(files));
+  }
+  if (description.opened && !bodies.empty() && !isBody(files, dropped)) {
+    files.meshes.insert(files.meshes.end(), bodies.begin(), bodies.end());
+    files.readings = {{}};
+    const std::size_t first = description.bodies.size() - std::min(bodies.size(), description.bodies.size());
+    for (std::size_t i = first; i < description.bodies.size(); ++i) {
+      files.readings.push_back(readingOfBody(present, i));
+    }
+  } else if (!description.opened && hasMeshBody(description) && !isBody(files, dropped)) {
+    files.scenes = {description.parts.scene};
   } else {
     return files;
   }
@@ -125,6 +167,49 @@ scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
       parts.cloth = files.meshes[i];
     } else {
       parts.bodies.push_back(files.meshes[i]);
+    }
+  }
+  return parts;
+}
+
+DropChoices firstChoices(const DroppedFiles& files) {
+  DropChoices choices{likelyCloth(files), files.readings};
+  choices.readings.resize(files.meshes.size());
+  return choices;
+}
+
+std::vector<std::optional<scene::MeshReading>> readingsBy(const DroppedFiles& files, const DropChoices& choices,
+                                                          std::span<const FoundFile> found) {
+  std::vector<std::optional<scene::MeshReading>> readings(files.meshes.size());
+  const auto meshOf = [&](std::size_t i) -> const scene::FoundMesh* {
+    const auto file = std::ranges::find(found, files.meshes[i], &FoundFile::file);
+    return file != found.end() && file->mesh ? &*file->mesh : nullptr;
+  };
+  scene::MeshReading cloth;  // that of a scene: in metres
+  const bool isMesh = choices.cloth < files.meshes.size();
+  if (isMesh && meshOf(choices.cloth) != nullptr) {
+    cloth = scene::readingOf(*meshOf(choices.cloth), choices.readings.at(choices.cloth), io::MeshUse::Cloth);
+    readings[choices.cloth] = cloth;
+  }
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const bool isClothKnown = !isMesh || readings[choices.cloth];
+    if (i != choices.cloth && meshOf(i) != nullptr && isClothKnown) {
+      readings[i] = scene::readingBeside(*meshOf(i), choices.readings.at(i), cloth);
+    }
+  }
+  return readings;
+}
+
+scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices, std::span<const FoundFile> found) {
+  scene::SceneParts parts = partsWithCloth(files, choices.cloth);
+  const std::vector<std::optional<scene::MeshReading>> readings = readingsBy(files, choices, found);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const scene::ReadingChoice reading =
+        readings[i] ? scene::ReadingChoice{readings[i]->unit, readings[i]->up} : choices.readings.at(i);
+    if (i == choices.cloth) {
+      parts.clothReading = reading;
+    } else {
+      parts.bodyReadings.push_back(reading);
     }
   }
   return parts;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "scene/scene.hpp"
+#include "ui/found_file.hpp"
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,15 @@ struct DroppedFiles {
   std::vector<std::string> others;       ///< none of these, by their endings
   /// The only dropped one, where the others are in the window already. It can be opened alone too. Else empty.
   std::string alone = {};
+  /// How the meshes that are in the window already are read, one for each of `meshes`; the others are "auto". Empty:
+  /// all are.
+  std::vector<scene::ReadingChoice> readings = {};
+};
+
+/// The answers of the user about dropped files.
+struct DropChoices {
+  std::size_t cloth = 0;                       ///< index of the mesh that is the cloth, see partsWithCloth()
+  std::vector<scene::ReadingChoice> readings;  ///< one for each mesh
 };
 
 /// Sorts files by their endings; the order within each kind stays.
@@ -23,7 +34,11 @@ struct DroppedFiles {
 
 /// A mesh that is dropped alone may go with what is in the window: a body with the garment that was opened from a file,
 /// or a garment with the body of the scene. Then the result has both, and the user must say what to do.
-[[nodiscard]] DroppedFiles joinedWith(const scene::SceneDescription& present, DroppedFiles files);
+[[nodiscard]] DroppedFiles joinedWith(const scene::Scene& present, DroppedFiles files);
+
+/// The same where the name of the mesh does not say that it is a body: what the user must say if the mesh turns out to
+/// be closed. Empty where there is no garment without a body in the window.
+[[nodiscard]] std::optional<DroppedFiles> joinedIfBody(const scene::Scene& present, DroppedFiles files);
 
 /// The next step for dropped files.
 struct DropDecision {
@@ -39,6 +54,18 @@ struct DropDecision {
 /// The parts when the mesh with that index is the cloth and the others are bodies; an index beyond the meshes takes the
 /// cloth of the scene and makes bodies of all of them.
 [[nodiscard]] scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth);
+
+/// The choices before the user answers: the likely cloth, and the readings of the files.
+[[nodiscard]] DropChoices firstChoices(const DroppedFiles& files);
+
+/// How each mesh is read by these choices, as far as it is known: a body that is no person as the cloth is.
+[[nodiscard]] std::vector<std::optional<scene::MeshReading>> readingsBy(const DroppedFiles& files,
+                                                                        const DropChoices& choices,
+                                                                        std::span<const FoundFile> found);
+
+/// The parts by these choices. The files are read as readingsBy() says, so that the user gets what is shown.
+[[nodiscard]] scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices,
+                                        std::span<const FoundFile> found);
 
 /// The index of the mesh that is most likely the cloth: the first without a name of a body. With a dropped scene it is
 /// the index after the meshes, since the scene has a cloth.

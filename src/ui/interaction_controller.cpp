@@ -209,6 +209,13 @@ bool InteractionController::place(UiAction action, const session::Snapshot& snap
   return true;
 }
 
+void InteractionController::startPlacing(bool wasPlaying, UiOutput& output) {
+  selection_.use(SelectionMode::Off);
+  selection_.clear();
+  sewing_.end();
+  placing_.begin(wasPlaying, output);
+}
+
 bool InteractionController::sew(UiAction action, UiOutput& output) {
   if (action != UiAction::Sew && action != UiAction::SetBand) {
     return false;

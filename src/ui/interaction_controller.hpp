@@ -84,6 +84,8 @@ class InteractionController {
 
   /// Starts the mode Place, or takes its next tool, when the action does that. False for other actions.
   bool place(UiAction action, const session::Snapshot& snapshot, UiOutput& output);
+  /// Starts the mode Place. @param wasPlaying whether the clock goes on at its end
+  void startPlacing(bool wasPlaying, UiOutput& output);
   [[nodiscard]] Placing& placing() { return placing_; }
   [[nodiscard]] const Placing& placing() const { return placing_; }
   /// The mode Place, for the window; empty while it is off.

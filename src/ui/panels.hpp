@@ -26,6 +26,13 @@ void contactRows(PanelContext& context);
 /// The word on the button that dresses the body: "Dress", or "Dress again" once that was done or the cloth moved.
 [[nodiscard]] const char* dressWord(const session::Snapshot& snapshot);
 
+/// Choices of the unit of a mesh file, side by side in the width of the next item, each stored as "NAME=cm". None is
+/// marked where the file has another unit. @param unit as in the setting `unit` @return the one that the user chooses,
+/// else `unit`
+[[nodiscard]] std::string unitChoice(PanelContext& context, const std::string& name, const std::string& unit);
+/// The same for the axis that points up.
+[[nodiscard]] std::string upChoice(PanelContext& context, const std::string& name, const std::string& up);
+
 /// What that button does.
 inline constexpr const char* dressHelp =
     "Puts the cloth on the body and removes all intersections, without pins. The clock waits meanwhile.";
@@ -135,10 +142,10 @@ void readingNotice(PanelContext& context, OverlayStack& stack);
 /// The list of keys and mouse gestures over the picture. False once the user closed it.
 [[nodiscard]] bool helpOverlay(PanelContext& context, const UiRect& view);
 
-/// Asks which of several files is the cloth: the index of a mesh, or of the scene after the meshes; and whether the
-/// others are only opened with it, or wear it. The answer is an OpenPartsRequest. False once it is answered.
+/// Tells what dropped files contain, and asks which one is the cloth, how they are read, and whether the others are
+/// only opened with it, or wear it. The answer is an OpenPartsRequest. False once it is answered.
 [[nodiscard]] bool dropQuestion(PanelContext& context, const UiRect& view, const DroppedFiles& files,
-                                std::size_t& cloth);
+                                DropChoices& choices);
 
 /// Asks before a scene file is replaced. False once it is answered.
 [[nodiscard]] bool replaceQuestion(PanelContext& context, const UiRect& view, const std::string& file);

@@ -1,5 +1,7 @@
 #include "ui/placing.hpp"
 
+#include "scene/reading_change.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -71,9 +73,13 @@ void Placing::next(const session::Snapshot& snapshot, UiOutput& output) {
                                                    : PlacingTool::Move;
     return;
   }
+  begin(!snapshot.paused, output);
+}
+
+void Placing::begin(bool wasPlaying, UiOutput& output) {
   isOn_ = true;
   waits_ = false;
-  wasPlaying_ = !snapshot.paused;
+  wasPlaying_ = wasPlaying;
   tool_ = PlacingTool::Move;
   output.commands.emplace_back(session::PauseCommand{true});
 }
@@ -170,6 +176,23 @@ void Placing::place(const scene::Placement& placement, const session::Snapshot& 
   output.requests.emplace_back(RebuildSceneRequest{snapshot.settings, std::move(all)});
 }
 
+/// Another unit or up axis needs the scene as it is now, so the user waits for the one that is being built.
+void Placing::read(const scene::ReadingChoice& reading, const session::Snapshot& snapshot, UiOutput& output) {
+  edited_.reset();
+  if (isBuilding()) {
+    output.hint = "The scene is being built. Try again in a moment.";
+    return;
+  }
+  scene::ReadingChange change = scene::withReading(*snapshot.scene, thing_, reading, rawMiddle(snapshot),
+                                                   {snapshot.settings, placements(snapshot)});
+  if (!scene::isAllowed(change.placements.of(thing_))) {
+    output.hint = "This is too far from the origin of the scene. Nothing was placed.";
+    return;
+  }
+  expect(change.placements);
+  output.requests.emplace_back(RebuildSceneRequest{std::move(change.settings), std::move(change.placements)});
+}
+
 void Placing::placeOnGround(const session::Snapshot& snapshot, UiOutput& output) {
   if (isPlane(snapshot.scene->description, thing_)) {
     output.hint = "A plane is infinite, so it has no lowest point.";
@@ -217,6 +240,9 @@ void Placing::on(const PlacingRequest& request, const session::Snapshot& snapsho
       break;
     case Kind::Place:
       place(request.placement, snapshot, output);
+      break;
+    case Kind::Read:
+      read(request.reading, snapshot, output);
       break;
     case Kind::Keep:
       if (edited_) {
@@ -284,6 +310,7 @@ std::optional<PlacingView> Placing::view(const session::Snapshot& snapshot, cons
   view.placement = shownPlacements(snapshot).of(thing_);
   view.rawMiddle = rawMiddle(snapshot);
   view.middle = view.placement.applied(view.rawMiddle);
+  view.reading = scene::changeableReading(*snapshot.scene, thing_);
   view.isBuilding = isBuilding();
   view.box = edgesOf(shape(snapshot), view.placement, picture);
   const Gizmo gizmo(tool_, view.middle, scale);

@@ -20,6 +20,10 @@ class Placing {
   /// Whether the scene with the last placement is not there yet.
   [[nodiscard]] bool isBuilding() const { return expected_.has_value(); }
 
+  /// Starts the mode. The clock goes on at its end if it ran before. @param wasPlaying whether it did
+  void begin(bool wasPlaying, UiOutput& output);
+  /// Whether the clock ran before the mode.
+  [[nodiscard]] bool wasPlaying() const { return wasPlaying_; }
   /// Starts the mode, or takes the next tool.
   void next(const session::Snapshot& snapshot, UiOutput& output);
   /// Ends the mode. The clock goes on if it ran before.
@@ -70,6 +74,7 @@ class Placing {
   [[nodiscard]] Vec3 rawMiddle(const session::Snapshot& snapshot);
   const PlacedShape& shape(const session::Snapshot& snapshot);
   void place(const scene::Placement& placement, const session::Snapshot& snapshot, UiOutput& output);
+  void read(const scene::ReadingChoice& reading, const session::Snapshot& snapshot, UiOutput& output);
   void placeOnGround(const session::Snapshot& snapshot, UiOutput& output);
   void use(PlacingTool tool, const session::Snapshot& snapshot, UiOutput& output);
 

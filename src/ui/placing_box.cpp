@@ -211,6 +211,43 @@ void toolRow(PanelContext& context, const PlacingView& placing) {
   }
 }
 
+/// The unit and the up axis of its file, if the user can change them.
+void readingRows(PanelContext& context, const PlacingView& placing) {
+  if (!placing.reading) {
+    return;
+  }
+  scene::ReadingChoice reading = *placing.reading;
+  mutedText(context.texts("Unit of its file"));
+  ImGui::SetNextItemWidth(boxWidth());
+  reading.unit = unitChoice(context, "placing.unit", reading.unit);
+  mutedText(context.texts("Up axis of its file"));
+  ImGui::SetNextItemWidth(boxWidth());
+  reading.up = upChoice(context, "placing.up", reading.up);
+  if (reading != *placing.reading) {
+    ask(context, {.kind = Kind::Read, .reading = reading});
+  }
+}
+
+/// Puts the cloth on a body, and dresses the body from there.
+void dressRow(PanelContext& context) {
+  if (!hasBodyToDress(context.snapshot)) {
+    return;
+  }
+  const float width = (boxWidth() - ImGui::GetStyle().ItemSpacing.x) / 2.0F;
+  if (iconButton(context, "place_on_body", Icon::None, "To the body", width)) {
+    context.output.requests.emplace_back(UiAction::PlaceOnBody);
+  }
+  explainItem(context, "place_on_body",
+              "Puts the cloth where the body would wear it: by neck, sleeves or waist, else by its size.");
+  ImGui::SameLine();
+  if (iconButton(context, "dress_placed", Icon::None, "Dress", width)) {
+    context.output.requests.emplace_back(UiAction::Dress);
+  }
+  explainItem(context, "dress_placed",
+              "Removes all intersections of cloth and body from here. If the body cannot wear it here, the cloth gets "
+              "another place.");
+}
+
 void buttonRow(PanelContext& context) {
   const float width = (boxWidth() - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
   if (iconButton(context, "place_on_ground", Icon::None, "To ground", width)) {
@@ -260,6 +297,8 @@ void placingBox(PanelContext& context, const UiRect& view) {
   positionRow(context, placing);
   rotationRow(context, placing);
   scaleRow(context, placing);
+  readingRows(context, placing);
+  dressRow(context);
   buttonRow(context);
   ImGui::PopTextWrapPos();
   endCorner();

@@ -4,6 +4,7 @@
 #include "sim/model/vector.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,9 +41,11 @@ struct GizmoLine {
 struct PlacingView {
   scene::Placeable thing;
   PlacingTool tool = PlacingTool::Move;
-  scene::Placement placement;            ///< as it is shown: with the drag that is under way
-  Vec3 middle = Vec3::Zero();            ///< of the box around the thing, so placed [m]
-  Vec3 rawMiddle = Vec3::Zero();         ///< the same without the placement [m]
+  scene::Placement placement;     ///< as it is shown: with the drag that is under way
+  Vec3 middle = Vec3::Zero();     ///< of the box around the thing, so placed [m]
+  Vec3 rawMiddle = Vec3::Zero();  ///< the same without the placement [m]
+  /// The unit and the up axis with which its file is read, if the user can change them.
+  std::optional<scene::ReadingChoice> reading = std::nullopt;
   bool isBuilding = false;               ///< whether the scene with this placement is not there yet
   std::vector<GizmoLine> handles;        ///< in the order in which they are drawn
   std::vector<std::array<Vec2, 2>> box;  ///< the edges of the box around the thing [window units]

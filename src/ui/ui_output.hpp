@@ -8,6 +8,7 @@
 #include "sim/model/vector.hpp"
 #include "text/sentence.hpp"
 #include "ui/export_request.hpp"
+#include "ui/found_file.hpp"
 #include "ui/placing_view.hpp"
 #include "ui/sewing_view.hpp"
 #include "ui/theme_choice.hpp"
@@ -17,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -51,6 +53,7 @@ struct PlacingRequest {
     UseTool,   ///< another tool
     Preview,   ///< shows a placement while the user still changes it
     Place,     ///< gives the thing a placement
+    Read,      ///< reads the file of the thing in another unit or with another up axis
     Keep,      ///< the placement that was shown last
     OnGround,  ///< lets the lowest point of the thing touch the ground
     Restore,   ///< the placement of the scene file
@@ -60,6 +63,7 @@ struct PlacingRequest {
   scene::Placeable thing = {};
   PlacingTool tool = PlacingTool::Move;
   scene::Placement placement = {};
+  scene::ReadingChoice reading = {};  ///< of Read; without "auto"
 };
 
 /// A choice of the user in the mode Sew.
@@ -146,6 +150,7 @@ enum class UiAction {
   ShowExport,        ///< the panel of exports
   CancelExport,      ///< that is under way
   Dress,             ///< a body of the scene with the cloth
+  PlaceOnBody,       ///< puts the cloth where a body of the scene would wear it, with all intersections
   CancelDressing,    ///< that is under way
   CompareErrors,     ///< of the motion since the start, by their sources
   CancelComparison,  ///< that is under way
@@ -220,6 +225,7 @@ struct UiStats {
   int failures = 0;                      ///< number of errors so far; distinguishes two errors with the same words
   Wording notice;                        ///< the last message, or empty
   std::vector<std::string> recentFiles;  ///< that were opened before, the newest first
+  std::span<const FoundFile> found;      ///< the mesh files that the user is asked about
   SelectionView selection;
   std::optional<PlacingView> placing;  ///< empty: the mode Place is off
   std::optional<SewingView> sewing;    ///< empty: the mode Sew is off

@@ -45,7 +45,7 @@ struct UserInterface::Parts {
   bool asksToQuit = false;
   std::string replaced;                 ///< the scene file that the user may want to replace; empty: no question
   std::optional<DroppedFiles> dropped;  ///< the user must choose the cloth among these
-  std::size_t chosenCloth = 0;          ///< index of that choice
+  DropChoices dropChoices;              ///< the answers so far
   Wording closedError;                  ///< the error that the user closed
   Wording shownError;
   int failures = 0;  ///< as of the last frame
@@ -153,7 +153,7 @@ void UserInterface::Parts::dialog(PanelContext& panel, const UiRect& view) {
       replaced.clear();
     }
   } else if (dropped) {
-    if (!dropQuestion(panel, view, *dropped, chosenCloth)) {
+    if (!dropQuestion(panel, view, *dropped, dropChoices)) {
       dropped.reset();
     }
   } else if (search.isOpen()) {
@@ -391,8 +391,12 @@ bool UserInterface::closeOverlay() {
 }
 
 void UserInterface::askWhichIsTheCloth(const DroppedFiles& files) {
-  parts_->chosenCloth = likelyCloth(files);
+  parts_->dropChoices = firstChoices(files);
   parts_->dropped = files;
+}
+
+bool UserInterface::asksWhichIsTheCloth() const {
+  return parts_->dropped.has_value();
 }
 
 void UserInterface::askToQuit() {

@@ -78,6 +78,7 @@ class UserInterface {
 
   /// Asks which of these files is the cloth; the answer is an OpenPartsRequest.
   void askWhichIsTheCloth(const DroppedFiles& files);
+  [[nodiscard]] bool asksWhichIsTheCloth() const;
 
   /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges. Hides another
   /// question until this one is answered.

@@ -78,8 +78,21 @@ class Wardrobe {
     }
     return file.string();
   }
-  [[nodiscard]] std::string body() const {
-    const auto file = folder_.path() / "mannequin.obj";
+  /// The mannequin in centimetres with z up.
+  [[nodiscard]] std::string bodyInCentimetres() const {
+    const auto file = folder_.path() / "body_cm.obj";
+    const Mesh mesh = readObj(meshOfTree("mannequin.obj"));
+    std::ofstream text(file);
+    for (const Eigen::Vector3d& p : mesh.positions) {
+      text << "v " << 100.0 * p.x() << ' ' << -100.0 * p.z() << ' ' << 100.0 * p.y() << '\n';
+    }
+    for (const auto& [a, b, c] : mesh.triangles) {
+      text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+    }
+    return file.string();
+  }
+  [[nodiscard]] std::string body(const std::string& name = "mannequin.obj") const {
+    const auto file = folder_.path() / name;
     std::filesystem::copy_file(meshOfTree("mannequin.obj"), file, std::filesystem::copy_options::overwrite_existing);
     return file.string();
   }
@@ -112,6 +125,68 @@ TEST(DressingInTheWindow, ABodyThatIsDroppedOnAGarmentWearsItAfterOneClick) {
   viewer.waitUntil("no body in the cloth", [](const Json& s) { return s["piercing"].is_null(); });
   EXPECT_TRUE(viewer.state()["paused"].get<bool>()) << "as before";
   EXPECT_EQ(pairsIn(savedCloth(viewer, "shirt-001.obj"), "mannequin.obj"), 0U);
+}
+
+TEST(DressingInTheWindow, ADroppedBodyInAnotherUnitIsPlacedMovedAndThenDressed) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({wardrobe.shirt(), "--paused"});
+  ASSERT_TRUE(viewer.drop({wardrobe.bodyInCentimetres()}));
+  viewer.waitUntil("the facts", [](const Json& s) { return hasButton(s, "drop.1.unit=inch"); });
+  viewer.click(viewer.find("button.drop.place"));
+  const auto isPlaced = [](const Json& s) {
+    return !s["placing"].is_null() && !s["placing"]["builds"].get<bool>() && s["dressing"].is_null() &&
+           s["loading"].get<std::string>().empty();
+  };
+  const Json placed = viewer.waitUntil("the garment on the body", [&](const Json& s) {
+    return isPlaced(s) && !s["piercing"].is_null();  // nothing was removed yet
+  });
+  EXPECT_FALSE(placed["placed"].get<bool>());
+  EXPECT_EQ(placed["placing"]["unit"], "m");
+  const auto left = [](const Json& s) { return s["cloth_bounds"]["min"][0].get<double>(); };
+  const Json grip = viewer.waitUntil("the handle", [](const Json& s) { return hasButton(s, "gizmo.x"); });
+  const Json arrow = grip["buttons"]["gizmo.x"];
+  const Place from{arrow["x"].get<double>() + 0.5 * arrow["width"].get<double>(),
+                   arrow["y"].get<double>() + 0.5 * arrow["height"].get<double>()};
+  viewer.move(from);
+  viewer.press();
+  viewer.move({from.x + 2.0, from.y});
+  viewer.move({from.x + 4.0, from.y});
+  viewer.release();
+  viewer.waitUntil("the moved garment", [&](const Json& s) { return isPlaced(s) && left(s) > left(placed) + 0.001; });
+  viewer.click(viewer.find("button.dress_placed"));
+  const Json dressed = viewer.waitUntil("the dressed body", isDressed);
+  EXPECT_TRUE(says(dressed, "from where you placed it")) << dressed["message"];
+  EXPECT_TRUE(dressed["placing"].is_null());
+  viewer.waitUntil("no body in the cloth", [](const Json& s) { return s["piercing"].is_null(); });
+  EXPECT_TRUE(viewer.state()["paused"].get<bool>()) << "as before";
+}
+
+TEST(DressingInTheWindow, AnotherUnitBeforeAndAfterPlacingIsAppliedAtOnce) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({wardrobe.shirt(), "--paused"});
+  ASSERT_TRUE(
+      viewer.drop({wardrobe.body("anna.obj")}));  // a body since it is closed, although its name does not say so
+  viewer.waitUntil("the facts", [](const Json& s) { return hasButton(s, "drop.0.unit=foot"); });
+  EXPECT_EQ(viewer.state()["scene"], "shirt.obj") << "until the user answers";
+  viewer.click(viewer.find("drop.0.unit=foot"));
+  viewer.click(viewer.find("button.drop.place"));
+  const auto height = [](const Json& s) {
+    return s["cloth_bounds"]["max"][1].get<double>() - s["cloth_bounds"]["min"][1].get<double>();
+  };
+  const auto isPlaced = [](const Json& s) {
+    return !s["placing"].is_null() && !s["placing"]["builds"].get<bool>() && s["loading"].get<std::string>().empty();
+  };
+  const Json small = viewer.waitUntil("the small garment", isPlaced);
+  EXPECT_LT(height(small), 0.4);
+  EXPECT_EQ(small["placing"]["unit"], "foot");
+  viewer.click(viewer.find("placing.unit=m"));
+  const Json large = viewer.waitUntil("the garment in metres",
+                                      [&](const Json& s) { return isPlaced(s) && s["placing"]["unit"] == "m"; });
+  EXPECT_NEAR(height(large), height(small) / 0.3048, 1e-4);
+  viewer.tap("ctrl+z");
+  const Json back = viewer.waitUntil("the garment in feet",
+                                     [&](const Json& s) { return isPlaced(s) && s["placing"]["unit"] == "foot"; });
+  EXPECT_NEAR(height(back), height(small), 1e-6);
 }
 
 TEST(DressingInTheWindow, AGarmentThatIsDroppedOnABodyIsWornAfterOneClick) {

@@ -1,4 +1,5 @@
 // What the panels offer for dressing: buttons, the line about a body that passes through the cloth, the progress.
+#include "locale/language.hpp"
 #include "panel_fixture.hpp"
 #include "ui/search.hpp"
 
@@ -116,6 +117,76 @@ TEST_F(DropQuestion, AFileThatWasDroppedAloneCanBeOpenedAlone) {
   const scene::SceneParts parts = answer("button.drop.alone");
   EXPECT_EQ(parts.scene, "/a/body.obj");
   EXPECT_TRUE(parts.bodies.empty());
+}
+
+TEST_F(DropQuestion, PlaceLeavesTheDressingToTheUser) {
+  ask(sortDropped({"/a/body.obj", "/a/coat.obj"}));
+  const scene::SceneParts parts = answer("button.drop.place");
+  EXPECT_TRUE(parts.dressed) << "no pins, and each in its own unit";
+  EXPECT_TRUE(parts.placed);
+  ask(sortDropped({"/a/body.obj", "/a/coat.obj"}));
+  EXPECT_FALSE(answer("button.drop.dress").placed);
+}
+
+/// The question about a person in inches and a coat in centimetres that were read.
+class FoundFiles : public DropQuestion {
+ protected:
+  FoundFiles() {
+    found_ = {{"/a/body.obj", scene::FoundMesh{.extent = {40.0, 67.0, 12.0}, .upOfShape = "y", .pieces = 1}, {}},
+              {"/a/coat.obj", scene::FoundMesh{.extent = {60.0, 20.0, 75.0}, .upOfShape = "z", .pieces = 3}, {}}};
+    stats_.found = found_;
+    ask(sortDropped({"/a/body.obj", "/a/coat.obj"}));
+  }
+
+  std::vector<FoundFile> found_;
+};
+
+TEST_F(FoundFiles, AreOpenedAsTheyAreShown) {
+  const scene::SceneParts parts = answer("button.drop.open");
+  EXPECT_EQ(parts.clothReading, (scene::ReadingChoice{"cm", "z"}));
+  EXPECT_EQ(parts.bodyReadings, (std::vector<scene::ReadingChoice>{{"inch", "y"}}));
+}
+
+TEST_F(FoundFiles, GetTheUnitAndTheUpAxisThatTheUserChooses) {
+  click(button("drop.0.unit=foot"));
+  click(button("drop.0.up=x"));
+  click(button("drop.1.unit=mm"));
+  const scene::SceneParts parts = answer("button.drop.dress");
+  EXPECT_EQ(parts.clothReading, (scene::ReadingChoice{"mm", "z"}));
+  EXPECT_EQ(parts.bodyReadings, (std::vector<scene::ReadingChoice>{{"foot", "x"}}));
+}
+
+TEST_F(FoundFiles, HaveNoChoicesUntilTheyAreRead) {
+  found_[0].mesh.reset();
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("drop.0.unit=m"));
+  EXPECT_TRUE(panels_.buttons().contains("drop.1.unit=m"));
+  found_[1] = {"/a/coat.obj", std::nullopt, text::Sentence::verbatim("/a/coat.obj has no faces")};
+  settle();
+  EXPECT_FALSE(panels_.buttons().contains("drop.1.unit=m"));
+  EXPECT_EQ(answer("button.drop.dress").clothReading, scene::ReadingChoice()) << "opening it says what is wrong";
+}
+
+TEST_F(FoundFiles, FitIntoTheWindowInBothLanguages) {
+  for (const char* language : {"en", "de"}) {
+    panels_.useLanguage(*locale::findLanguage(language));
+    for (const int width : {1280, 800}) {
+      panels_.setDisplay({width, 720, 1.0F, 1.0F});
+      settle();
+      const UiRect box = button("overlay.drop");
+      EXPECT_GE(box.x, width == 800 ? 0.0 : panels_.view().x) << language;
+      EXPECT_LE(box.x + box.width, width) << language;
+      EXPECT_LE(box.y + box.height, 720.0) << language;
+      const double left = button("button.drop.open").x;  // of all that is in the dialog
+      for (const auto& [name, rect] : panels_.buttons()) {
+        if (name.starts_with("drop.") || name.starts_with("button.drop.") || name == "cloth.0" || name == "cloth.1") {
+          EXPECT_GE(rect.x, left) << name;
+          EXPECT_LE(rect.x + rect.width, box.x + box.width - (left - box.x)) << language << ' ' << name << ' ' << width;
+          EXPECT_LE(rect.y + rect.height, box.y + box.height) << language << ' ' << name << ' ' << width;
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

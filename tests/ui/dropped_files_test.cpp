@@ -85,11 +85,14 @@ TEST(DroppedFiles, OfTheSameNameAreDistinguishedByTheirFolders) {
             (std::vector<std::string>{"coat.obj (summer)", "coat.obj (winter)", "body.obj"}));
 }
 
-/// A garment that was opened from a file.
-scene::SceneDescription openedGarment() {
-  scene::SceneDescription scene;
-  scene.opened = true;
-  scene.parts.scene = "/a/coat.obj";
+/// A garment that was opened from a file in centimetres.
+scene::Scene openedGarment() {
+  scene::Scene scene;
+  scene.description.opened = true;
+  scene.description.parts.scene = "/a/coat.obj";
+  scene.description.cloth().source = scene::MeshFileSource{"/a/coat.obj", false};
+  scene.settings.mesh.unit = "cm";
+  scene.settings.mesh.up = "auto";
   return scene;
 }
 
@@ -103,15 +106,30 @@ TEST(DroppedFiles, ABodyGoesWithTheGarmentThatIsOpen) {
   const DroppedFiles files = joinedWith(openedGarment(), sortDropped({"/a/mannequin.obj"}));
   EXPECT_EQ(files.alone, "/a/mannequin.obj");
   EXPECT_TRUE(decide(files).ask);
-  const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  const DropChoices choices = firstChoices(files);
+  EXPECT_EQ(choices.readings, (std::vector<scene::ReadingChoice>{{"cm", "auto"}, {"auto", "auto"}}))
+      << "the garment stays as it is read now";
+  const scene::SceneParts parts = partsBy(files, choices, {});
   EXPECT_EQ(parts.cloth, "/a/coat.obj");
   EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/mannequin.obj"}));
+  EXPECT_EQ(parts.clothReading, (scene::ReadingChoice{"cm", "auto"}));
+}
+
+TEST(DroppedFiles, AMeshOfAnotherNameMayTurnOutToBeABody) {
+  const DroppedFiles dropped = sortDropped({"/a/anna.obj"});
+  EXPECT_TRUE(decide(joinedWith(openedGarment(), dropped)).open) << "its name does not say so";
+  const std::optional<DroppedFiles> files = joinedIfBody(openedGarment(), dropped);
+  ASSERT_TRUE(files);
+  EXPECT_EQ(files->alone, "/a/anna.obj");
+  EXPECT_EQ(partsBy(*files, firstChoices(*files), {}).bodies, (std::vector<std::string>{"/a/anna.obj"}));
+  EXPECT_FALSE(joinedIfBody(openedGarment(), sortDropped({"/a/coat.obj"}))) << "the garment itself";
+  EXPECT_FALSE(joinedIfBody(scene::Scene(), dropped)) << "there is no garment";
 }
 
 TEST(DroppedFiles, AGarmentGoesWithTheBodyOfTheScene) {
-  scene::SceneDescription present;
-  present.parts.scene = "walk";
-  present.bodies = {meshBody()};
+  scene::Scene present;
+  present.description.parts.scene = "walk";
+  present.description.bodies = {meshBody()};
   const DroppedFiles files = joinedWith(present, sortDropped({"/a/coat.obj"}));
   EXPECT_TRUE(decide(files).ask);
   const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
@@ -120,22 +138,47 @@ TEST(DroppedFiles, AGarmentGoesWithTheBodyOfTheScene) {
 }
 
 TEST(DroppedFiles, AnotherGarmentGoesWithTheBodyThatWasOpenedWithTheFirst) {
-  scene::SceneDescription present = openedGarment();
-  present.parts = {.cloth = "/a/coat.obj", .bodies = {"mannequin"}, .dressed = true};
-  present.bodies = {meshBody()};
+  scene::Scene present = openedGarment();
+  present.description.parts = {.cloth = "/a/coat.obj", .bodies = {"/a/person.obj"}, .dressed = true};
+  present.description.bodies = {meshBody()};
+  present.description.bodies.front().reading = scene::ReadingChoice{"mm", "z"};
   const DroppedFiles files = joinedWith(present, sortDropped({"/a/shirt.obj"}));
-  const scene::SceneParts parts = partsWithCloth(files, likelyCloth(files));
+  const scene::SceneParts parts = partsBy(files, firstChoices(files), {});
   EXPECT_TRUE(parts.scene.empty());
   EXPECT_EQ(parts.cloth, "/a/shirt.obj");
-  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"mannequin"}));
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/person.obj"}));
+  EXPECT_EQ(parts.clothReading, scene::ReadingChoice());
+  EXPECT_EQ(parts.bodyReadings, (std::vector<scene::ReadingChoice>{{"mm", "z"}})) << "the body stays as it is";
 }
 
 TEST(DroppedFiles, AGarmentAfterAGarmentIsOpenedAtOnce) {
   EXPECT_TRUE(decide(joinedWith(openedGarment(), sortDropped({"/a/shirt.obj"}))).open);
-  scene::SceneDescription bare;
-  bare.parts.scene = "flag";
+  scene::Scene bare;
+  bare.description.parts.scene = "flag";
   EXPECT_TRUE(decide(joinedWith(bare, sortDropped({"/a/shirt.obj"}))).open);
   EXPECT_TRUE(decide(joinedWith(bare, sortDropped({"/a/body.obj"}))).open);
+}
+
+TEST(DroppedFiles, AreReadAsTheUserSees) {
+  const DroppedFiles files = sortDropped({"/a/body.obj", "/a/coat.obj"});
+  const scene::FoundMesh person{.extent = {100.0, 40.0, 170.0}, .upOfShape = "z"};
+  const scene::FoundMesh coat{.extent = {30.0, 28.0, 12.0}, .upOfShape = "y"};
+  std::vector<FoundFile> found{{"/a/body.obj", person, {}}, {"/a/coat.obj", std::nullopt, {}}};
+  DropChoices choices = firstChoices(files);
+  ASSERT_EQ(choices.cloth, 1U);
+  EXPECT_FALSE(readingsBy(files, choices, found)[1]) << "its file is not read yet";
+  EXPECT_FALSE(readingsBy(files, choices, found)[0]) << "it may follow the cloth";
+  found[1].mesh = coat;
+  choices.readings[1].unit = "inch";
+  const auto readings = readingsBy(files, choices, found);
+  ASSERT_TRUE(readings[0] && readings[1]);
+  EXPECT_EQ(readings[0]->unit, "cm");
+  EXPECT_EQ(readings[0]->up, "z");
+  EXPECT_NEAR(readings[0]->size[1], 1.7, 1e-12);
+  EXPECT_NEAR(readings[1]->size[0], 30.0 * 0.0254, 1e-12);
+  const scene::SceneParts parts = partsBy(files, choices, found);
+  EXPECT_EQ(parts.clothReading, (scene::ReadingChoice{"inch", "y"}));
+  EXPECT_EQ(parts.bodyReadings, (std::vector<scene::ReadingChoice>{{"cm", "z"}}));
 }
 
 }  // namespace

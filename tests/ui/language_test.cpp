@@ -32,6 +32,11 @@ std::set<std::string> namesOf(const UiRects& rects) {
   return names;
 }
 
+/// A mesh whose shape does not show what is up.
+scene::FoundMesh foundOf(const Vec3& extent) {
+  return {.format = {}, .extent = extent, .upOfShape = "", .pieces = 1, .vertices = 9, .triangles = 8};
+}
+
 /// The panels of a scene in German, which note the texts without a translation.
 class GermanPanels : public PanelFixture, public ::testing::WithParamInterface<const char*> {
  protected:
@@ -97,7 +102,19 @@ TEST_P(GermanPanels, TranslateBoxesAndQuestions) {
   panels_.askWhichIsTheCloth(
       {.scenes = {"a.toml"}, .meshes = {"coat.obj", "body.obj"}, .others = {}, .alone = "coat.obj"});
   expectComplete("the question about dropped files");
+  std::vector<FoundFile> found{{"coat.obj", foundOf({0.8, 0.6, 0.0}), {}},
+                               {"body.obj", foundOf({50.0, 170.0, 30.0}), {}}};
+  stats_.found = found;
+  expectComplete("what dropped files contain");
+  found[0].mesh->pieces = 3;
+  found[0].mesh->format = {1.0, 'y'};
+  found[1].mesh = foundOf({9000.0, 9000.0, 9000.0});
+  expectComplete("what other dropped files contain");
+  stats_.found = {};
   panels_.forgetQuestions();
+  stats_.placing.emplace().reading = scene::ReadingChoice{"inch", "y"};
+  expectComplete("the box of the mode Place");
+  stats_.placing.reset();
   panels_.askToReplace("a.toml");
   expectComplete("the question about a file");
   panels_.forgetQuestions();

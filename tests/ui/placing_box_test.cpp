@@ -118,5 +118,29 @@ TEST_F(PlacingBoxOfAFigure, HasNoScale) {
   EXPECT_TRUE(panels_.widgets().contains("placing.position.x"));
 }
 
+TEST_F(PlacingBox, ChangesUnitAndUpAxisOfAFile) {
+  EXPECT_FALSE(panels_.buttons().contains("placing.unit=cm")) << "a sphere has no file";
+  placing_.reading = scene::ReadingChoice{"cm", "y"};
+  show();
+  const auto unit = placingRequest(click(button("placing.unit=inch")), PlacingRequest::Kind::Read);
+  ASSERT_TRUE(unit.has_value());
+  EXPECT_EQ(unit->reading, (scene::ReadingChoice{"inch", "y"}));
+  const auto up = placingRequest(click(button("placing.up=z")), PlacingRequest::Kind::Read);
+  ASSERT_TRUE(up.has_value());
+  EXPECT_EQ(up->reading, (scene::ReadingChoice{"cm", "z"}));
+  EXPECT_FALSE(placingRequest(click(button("placing.unit=cm")), PlacingRequest::Kind::Read)) << "it is that already";
+}
+
+TEST_F(PlacingBox, PutsTheClothOnTheBodyAndDressesIt) {
+  const auto requests = [](const UiOutput& output, UiAction wanted) {
+    return std::ranges::any_of(output.requests, [&](const UiRequest& request) {
+      const auto* action = std::get_if<UiAction>(&request);
+      return action != nullptr && *action == wanted;
+    });
+  };
+  EXPECT_TRUE(requests(click(button("button.place_on_body")), UiAction::PlaceOnBody));
+  EXPECT_TRUE(requests(click(button("button.dress_placed")), UiAction::Dress));
+}
+
 }  // namespace
 }  // namespace drape::ui

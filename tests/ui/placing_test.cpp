@@ -1,13 +1,18 @@
 // The mode Place: what its drags, clicks and choices ask for, and what the picture shows meanwhile.
 #include "ui/placing.hpp"
 
+#include "scene/scene_parts.hpp"
 #include "session/simulation.hpp"
 #include "sim/model/bounds.hpp"
 #include "ui/interaction_controller.hpp"
 #include "ui/scene_changes.hpp"
+#include "ui/undo.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -21,7 +26,8 @@ using Request = PlacingRequest::Kind;
 /// A scene in the window, controlled by mouse and keyboard.
 class PlacingInWindow : public ::testing::Test {
  protected:
-  explicit PlacingInWindow(const char* name = "grid") : simulation_(built(scene::openScene(name))) {
+  explicit PlacingInWindow(const char* name = "grid") : PlacingInWindow(scene::openScene(name)) {}
+  explicit PlacingInWindow(const scene::SceneDescription& description) : simulation_(built(description)) {
     controller_.setView({372.0, 0.0, 900.0, 690.0});
     controller_.lookAtScene(simulation_.scene());
     capture();
@@ -328,6 +334,91 @@ TEST_F(PlacingFigure, AFigureIsMovedAndTurnedButNotScaled) {
   const Vec3 before = snapshot_.bodies[0].pose.position;
   ask({.kind = Request::Place, .placement = {Vec3(1, 0, 0), Vec3::Zero(), 1.0}});
   EXPECT_TRUE(snapshot_.bodies[0].pose.position.isApprox(before + Vec3(1, 0, 0), 1e-12));
+}
+
+/// A sheet and a closed body from files in centimetres with y up, each with its own unit.
+scene::SceneDescription descriptionOfFiles() {
+  const auto folder =
+      std::filesystem::path(::testing::TempDir()) / ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "sheet.obj") << "v 0 100 0\nv 80 100 0\nv 80 160 0\nv 0 160 9\nf 1 2 3\nf 1 3 4\n";
+  std::ofstream(folder / "body.obj") << "v -20 0 0\nv 20 0 0\nv 0 170 0\nv 0 0 -30\n"
+                                        "f 1 2 3\nf 2 4 3\nf 4 1 3\nf 1 4 2\n";
+  return scene::openParts({.cloth = (folder / "sheet.obj").string(),
+                           .bodies = {(folder / "body.obj").string()},
+                           .dressed = true,
+                           .placed = true,
+                           .clothReading = {"cm", "y"},
+                           .bodyReadings = {{"cm", "y"}}});
+}
+
+class PlacingFiles : public PlacingInWindow {
+ protected:
+  PlacingFiles() : PlacingInWindow(descriptionOfFiles()) { send(KeyEvent{Key::G}); }
+
+  [[nodiscard]] Eigen::AlignedBox3d boxOfBody() const {
+    std::vector<Vec3> positions = sim::contact::surfaceOf((*snapshot_.scene->bodies)[0].shape).positions;
+    for (Vec3& position : positions) {
+      position = snapshot_.bodies[0].pose.toWorld(position);
+    }
+    return sim::boundsOf(positions);
+  }
+
+  void watch(double now) {
+    UiOutput none;
+    undo_.watch(snapshot_, snapshot_.settings, true, now, none);
+  }
+
+  Undo undo_;
+};
+
+TEST_F(PlacingFiles, AnotherUnitOfTheClothIsAppliedAtOnceAndUndone) {
+  const Vec3 middle = middleOfCloth();
+  watch(0.0);
+  watch(1.0);
+  EXPECT_EQ(view().reading, (scene::ReadingChoice{"cm", "y"}));
+  ask({.kind = Request::Read, .reading = {"inch", "y"}});
+  EXPECT_NEAR(sim::boundsOf(snapshot_.positions).sizes().x(), 80.0 * 0.0254, 1e-6);
+  EXPECT_LT((middleOfCloth() - middle).norm(), 1e-5);
+  EXPECT_EQ(view().reading, (scene::ReadingChoice{"inch", "y"}));
+  watch(2.0);
+  watch(3.0);
+  UiOutput back;
+  static_cast<void>(undo_.undo(back));
+  apply(back);
+  EXPECT_NEAR(sim::boundsOf(snapshot_.positions).sizes().x(), 0.8, 1e-6);
+  EXPECT_LT((middleOfCloth() - middle).norm(), 1e-9);
+}
+
+TEST_F(PlacingFiles, AnotherUpAxisOfTheBodyIsAppliedAtOnceAndUndone) {
+  ask({.kind = Request::Choose, .thing = {scene::Placeable::Kind::Body, 0}});
+  const Eigen::AlignedBox3d before = boxOfBody();
+  watch(0.0);
+  watch(1.0);
+  ask({.kind = Request::Read, .reading = {"cm", "z"}});
+  EXPECT_NEAR(boxOfBody().sizes().y(), 0.3, 1e-6) << "what was deep is tall";
+  EXPECT_LT((boxOfBody().center() - before.center()).norm(), 1e-5);
+  watch(2.0);
+  watch(3.0);
+  UiOutput back;
+  EXPECT_NE(undo_.undo(back).english().find("unit and up axis of body"), std::string::npos);
+  apply(back);
+  EXPECT_LT((boxOfBody().sizes() - before.sizes()).norm(), 1e-9);
+  EXPECT_LT((boxOfBody().center() - before.center()).norm(), 1e-9);
+}
+
+TEST_F(PlacingFiles, ADroppedBodyIsMovedTurnedAndScaledByTheGizmo) {
+  ask({.kind = Request::Choose, .thing = {scene::Placeable::Kind::Body, 0}});
+  const Eigen::AlignedBox3d before = boxOfBody();
+  pull(GizmoHandle::MoveX, Vec2(70.0, 0.0));
+  letGo();
+  EXPECT_GT(boxOfBody().center().x(), before.center().x() + 0.02);
+  ask({.kind = Request::UseTool, .tool = PlacingTool::Turn});
+  pull(GizmoHandle::TurnY, Vec2(40.0, 25.0));
+  letGo();
+  EXPECT_GT(std::abs(snapshot_.scene->description.bodies[0].placement.rotation.y()), 1.0);
+  ask({.kind = Request::Place, .placement = {Vec3::Zero(), Vec3::Zero(), 1.1}});
+  EXPECT_NEAR(boxOfBody().sizes().y(), 1.1 * 1.7, 1e-6);
 }
 
 }  // namespace

@@ -301,6 +301,8 @@ Json placingOf(const ui::UiStats& stats, const scene::Scene& scene) {
           {"middle", toJson(placing.middle)},
           {"rotation", toJson(placing.placement.rotation)},
           {"scale", placing.placement.scale},
+          {"unit", placing.reading ? Json(placing.reading->unit) : Json(nullptr)},
+          {"up", placing.reading ? Json(placing.reading->up) : Json(nullptr)},
           {"builds", placing.isBuilding}};
 }
 

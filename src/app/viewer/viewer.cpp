@@ -151,6 +151,7 @@ void Viewer::frame() {
   controller_.placing().follow(snapshot);
   takeLoadedScene(snapshot);
   followDressing(snapshot);
+  followQuestion();
   followComparison(snapshot);
   events_.beginFrame();
   stats_.field = &fieldDisplay_.update(snapshot, fields_);
@@ -255,11 +256,17 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     showError(outcome->error);
     return;
   }
+  if (outcome->kind == ui::SceneLoader::Kind::Opened && asksAboutBody(*outcome->scene)) {
+    return;
+  }
   simulation_.post(session::LoadSceneCommand{outcome->scene});
   if (outcome->kind == ui::SceneLoader::Kind::Opened) {
     dressingChoices_.reset();
   }
-  if (outcome->scene->description.parts.dressed) {
+  // A placement leaves the garment where the user puts it, until the user dresses the body from there.
+  const scene::SceneParts& parts = outcome->scene->description.parts;
+  const bool isOpened = outcome->kind == ui::SceneLoader::Kind::Opened;
+  if (parts.dressed && outcome->kind != ui::SceneLoader::Kind::Placed && (isOpened || !parts.placed)) {
     wasPaused_ = dressing_ || sceneToDress_ ? wasPaused_ : snapshot.paused;
     sceneToDress_ = outcome->scene;
     simulation_.post(session::PauseCommand{true});

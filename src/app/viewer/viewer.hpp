@@ -19,6 +19,7 @@
 #include "render/window_context.hpp"
 #include "session/simulation_thread.hpp"
 #include "ui/interaction_controller.hpp"
+#include "ui/mesh_finder.hpp"
 #include "ui/scene_loader.hpp"
 #include "ui/undo.hpp"
 #include "ui/user_interface.hpp"
@@ -90,9 +91,14 @@ class Viewer {
   void compareErrors(const session::Snapshot& snapshot);
   void followComparison(const session::Snapshot& snapshot);
   void dress(const session::Snapshot& snapshot);
+  void placeOnBody(const session::Snapshot& snapshot);
+  void placeGarment(const std::optional<sim::contact::Pose>& pose, const session::Snapshot& snapshot);
+  void askAbout(const ui::DroppedFiles& files);
+  [[nodiscard]] bool asksAboutBody(const scene::Scene& opened);
+  void followQuestion();
   void beginDressing(const session::Snapshot& snapshot, DressingOrder order, bool isPaused);
   void followDressing(const session::Snapshot& snapshot);
-  void endDressing(const DressingJob::Outcome& outcome, const session::Snapshot& snapshot);
+  void endDressing(const DressingJob::Outcome& outcome, bool onlyPlaced, const session::Snapshot& snapshot);
   void cancelDressing();
   [[nodiscard]] DressingOrder orderToOpen(const session::Snapshot& snapshot) const;
   void saveProbes(const session::Snapshot& snapshot);
@@ -129,6 +135,7 @@ class Viewer {
   WindowEvents events_;
   ui::InteractionController controller_;
   ui::SceneLoader loader_;
+  ui::MeshFinder finder_;  ///< of the files that the user is asked about
   FabricList fabrics_;
   PreferencesFile preferencesFile_;
   Preferences preferences_;
@@ -152,6 +159,7 @@ class Viewer {
   std::shared_ptr<const scene::Scene> sceneToDress_;  ///< opened to be dressed, and not shown yet; the clock waits
   std::shared_ptr<const scene::Scene> dressedScene_;  ///< of the dressing that is under way
   bool wasPaused_ = false;                            ///< before the dressing
+  bool dressesWhenBuilt_ = false;                     ///< whether the user wants to dress a placement that is built
   std::unique_ptr<DressingJob> dressing_;             ///< null: none is under way
 
   std::shared_ptr<const scene::Scene> shownScene_;   ///< the title bar has its name
@@ -160,6 +168,7 @@ class Viewer {
   std::shared_ptr<const scene::Scene> resizedScene_;  ///< not shown yet; the camera will keep its direction
   std::filesystem::path savedFile_;                   ///< of this scene, if the user saved it; empty: none
   std::optional<session::UserState> savedState_;      ///< in that file
+  std::optional<ui::DroppedFiles> perhapsBody_;       ///< asked about if the mesh that is being opened is closed
   text::Sentence notOpened_;                          ///< dropped files that were not opened, and why
   ui::UiStats stats_;
   fields::SnapshotFields fields_;

@@ -54,6 +54,11 @@ const PlacedBody& placed(const std::vector<PlacedBody>& bodies, std::size_t body
   return *std::ranges::find(bodies, body, &PlacedBody::body);
 }
 
+bool isWhereItsFileHasIt(const scene::Scene& scene) {
+  return std::ranges::all_of(scene.description.cloths,
+                             [](const scene::ClothDescription& cloth) { return cloth.placement.isNone(); });
+}
+
 std::size_t sumOfPairs(const std::vector<dressing::Piercing>& piercings) {
   std::size_t sum = 0;
   for (const dressing::Piercing& piercing : piercings) {
@@ -65,12 +70,17 @@ std::size_t sumOfPairs(const std::vector<dressing::Piercing>& piercings) {
 }  // namespace
 
 /// Dresses the body as it is now where it passes through the moving cloth: so the motion goes on. Else, or where that
-/// fails, dresses the body at the start.
+/// fails, dresses the body at the start: from the place that the user gave the garment, or from one by landmarks.
 void Viewer::dress(const session::Snapshot& snapshot) {
   if (dressing_ || sceneToDress_) {
     return;
   }
   stats_.error = {};
+  ui::Placing& placing = controller_.placing();
+  if (placing.isBuilding()) {
+    dressesWhenBuilt_ = true;
+    return;
+  }
   const PiercingWatch::Found& found = piercings_.found();
   const std::vector<PlacedBody> now = bodiesOf(snapshot);
   const PlacedBody* body = bodyToDress(now, snapshot, found.piercings);
@@ -81,18 +91,41 @@ void Viewer::dress(const session::Snapshot& snapshot) {
   DressingOrder order = orderFor(snapshot, body->body);
   const sim::ClothMesh atStart = placed(dressing::bodiesAtStart(*snapshot.scene), body->body).mesh;
   const std::vector<Vec3>& start = snapshot.scene->start.positions;
-  if (!found.piercings.empty() && !found.isStart) {
+  if (!found.piercings.empty() && !found.isStart && !placing.isOn()) {
     order.attempts.push_back({snapshot.positions, body->mesh, PlacementRule::File, false});
   }
-  if (!found.piercings.empty()) {
-    order.attempts.push_back({start, atStart, PlacementRule::File, true});
+  const bool isByHand = !isWhereItsFileHasIt(*snapshot.scene);
+  if (!found.piercings.empty() || isByHand) {
+    order.attempts.push_back({start, atStart, PlacementRule::File, true, isByHand});
   }
   // Several garments keep their places relative to each other, and so do those that a scene file has placed.
   const bool isOneGarment = snapshot.scene->cloths.size() == 1;
   if (isOneGarment || order.attempts.empty()) {
     order.attempts.push_back({start, atStart, isOneGarment ? PlacementRule::Auto : PlacementRule::File, true});
   }
-  beginDressing(snapshot, std::move(order), snapshot.paused);
+  const bool isPaused = placing.isOn() ? !placing.wasPlaying() : snapshot.paused;
+  ui::UiOutput ignored;  // the clock waits until the body is dressed
+  placing.end(ignored);
+  beginDressing(snapshot, std::move(order), isPaused);
+}
+
+/// Puts the garment where the body would wear it, and starts the mode Place there.
+void Viewer::placeOnBody(const session::Snapshot& snapshot) {
+  if (dressing_ || sceneToDress_ || controller_.placing().isBuilding()) {
+    return;
+  }
+  stats_.error = {};
+  const ui::Placing& placing = controller_.placing();
+  DressingOrder order = orderToOpen(snapshot);
+  if (order.attempts.empty()) {
+    showNotice("There is no body to dress. Drop the file of one on the window");
+    return;
+  }
+  order.attempts.front().rule = PlacementRule::Auto;
+  order.options.move.setZero();
+  order.options.turn = 0.0;
+  order.onlyPlaces = true;
+  beginDressing(snapshot, std::move(order), placing.isOn() ? !placing.wasPlaying() : snapshot.paused);
 }
 
 /// Dresses a scene that was opened for that, by the choices of the command line if there are any.
@@ -130,9 +163,14 @@ void Viewer::followDressing(const session::Snapshot& snapshot) {
   if (sceneToDress_ && snapshot.scene == sceneToDress_) {
     sceneToDress_.reset();
     DressingOrder order = orderToOpen(snapshot);
+    order.onlyPlaces = snapshot.scene->description.parts.placed;
     if (!order.attempts.empty()) {
       beginDressing(snapshot, std::move(order), wasPaused_);
     }
+  }
+  if (dressesWhenBuilt_ && !controller_.placing().isBuilding()) {
+    dressesWhenBuilt_ = false;
+    dress(snapshot);
   }
   stats_.dressing.reset();
   if (!dressing_) {
@@ -144,18 +182,20 @@ void Viewer::followDressing(const session::Snapshot& snapshot) {
   }
   lastChange_ = Clock::now();
   const DressingJob::Progress progress = dressing_->progress();
-  stats_.dressing = {text::Sentence("Dressing {}: {}, {} %", dressing_->names().body, inWords(progress.stage),
-                                    static_cast<int>(100.0 * progress.share)),
-                     progress.share};
+  stats_.dressing = {
+      text::Sentence(dressing_->onlyPlaces() ? "Placing on {}: {}, {} %" : "Dressing {}: {}, {} %",
+                     dressing_->names().body, inWords(progress.stage), static_cast<int>(100.0 * progress.share)),
+      progress.share};
   if (const auto outcome = dressing_->poll()) {
+    const bool onlyPlaced = dressing_->onlyPlaces();
     dressing_.reset();
     stats_.dressing.reset();
-    endDressing(*outcome, snapshot);
+    endDressing(*outcome, onlyPlaced, snapshot);
   }
 }
 
 /// Shows the garment on the body, and lets the clock go on. A garment that cannot be worn stays where it is.
-void Viewer::endDressing(const DressingJob::Outcome& outcome, const session::Snapshot& snapshot) {
+void Viewer::endDressing(const DressingJob::Outcome& outcome, bool onlyPlaced, const session::Snapshot& snapshot) {
   if (outcome.placed) {
     const std::vector<bool>& pinned = snapshot.model->pinned;
     if (std::ranges::find(pinned, true) != pinned.end()) {
@@ -164,7 +204,32 @@ void Viewer::endDressing(const DressingJob::Outcome& outcome, const session::Sna
     simulation_.post(*outcome.placed);
   }
   outcome.hasFailed ? showError(outcome.message) : showNotice(outcome.message);
-  simulation_.post(session::PauseCommand{wasPaused_});
+  if (onlyPlaced) {
+    placeGarment(outcome.pose, snapshot);
+  } else {
+    simulation_.post(session::PauseCommand{wasPaused_});
+  }
+}
+
+/// Moves the cloths by a pose if there is one, and lets the user move, turn and scale it.
+void Viewer::placeGarment(const std::optional<sim::contact::Pose>& pose, const session::Snapshot& snapshot) {
+  ui::Placing& placing = controller_.placing();
+  if (!placing.isOn()) {
+    ui::UiOutput output;
+    controller_.startPlacing(!wasPaused_, output);
+    execute(output, snapshot);
+  }
+  scene::Placements placements = placing.placements(snapshot);
+  if (pose) {
+    for (scene::Placement& cloth : placements.cloths) {
+      const Vec3 origin = cloth.position;
+      cloth =
+          scene::movedTo(scene::turnedAbout(cloth, Vec3::Zero(), pose->rotation), Vec3::Zero(), pose->toWorld(origin));
+    }
+  }
+  if (placements != placing.placements(snapshot)) {
+    on(ui::RebuildSceneRequest{snapshot.settings, std::move(placements)}, snapshot);
+  }
 }
 
 void Viewer::cancelDressing() {

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace drape::app {
 
@@ -21,14 +22,15 @@ void Viewer::on(const ui::OpenSceneRequest& request, const session::Snapshot& sn
 }
 
 void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snapshot) {
-  const ui::DroppedFiles files = ui::joinedWith(snapshot.scene->description, ui::sortDropped(request.files));
+  const ui::DroppedFiles files = ui::joinedWith(*snapshot.scene, ui::sortDropped(request.files));
   const ui::DropDecision decision = ui::decide(files);
   if (decision.open) {
     on(ui::OpenPartsRequest{*decision.open}, snapshot);
+    perhapsBody_ = ui::joinedIfBody(*snapshot.scene, files);
   }
   panels_.forgetQuestions();
   if (decision.ask) {
-    panels_.askWhichIsTheCloth(files);
+    askAbout(files);
   }
   notOpened_ = decision.notice;
   if (!notOpened_.empty()) {
@@ -36,8 +38,40 @@ void Viewer::on(const ui::DroppedRequest& request, const session::Snapshot& snap
   }
 }
 
+void Viewer::askAbout(const ui::DroppedFiles& files) {
+  panels_.askWhichIsTheCloth(files);
+  finder_.find(files.meshes);
+}
+
+/// Whether the opened mesh is closed, so that it may be the body for the garment in the window. Then the user is asked.
+bool Viewer::asksAboutBody(const scene::Scene& opened) {
+  const std::optional<ui::DroppedFiles> files = std::exchange(perhapsBody_, std::nullopt);
+  if (!files || opened.description.parts.scene != files->alone || opened.summary.boundaryLoops > 0) {
+    return false;
+  }
+  askAbout(*files);
+  return true;
+}
+
+/// Reads what the user is asked about, as long as the question is open.
+void Viewer::followQuestion() {
+  if (!panels_.asksWhichIsTheCloth()) {
+    if (!finder_.found().empty()) {
+      finder_.forget();
+    }
+    stats_.found = {};
+    return;
+  }
+  finder_.follow();
+  stats_.found = finder_.found();
+  if (finder_.isReading()) {
+    lastChange_ = Clock::now();
+  }
+}
+
 void Viewer::on(const ui::OpenPartsRequest& request, const session::Snapshot& snapshot) {
   stats_.error = {};
+  perhapsBody_.reset();
   loader_.open(
       request.parts,
       [current = snapshot.settings, own = snapshot.scene->description.settings](settings::Settings& target) {
@@ -116,6 +150,9 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
       break;
     case ui::UiAction::Dress:
       dress(snapshot);
+      break;
+    case ui::UiAction::PlaceOnBody:
+      placeOnBody(snapshot);
       break;
     case ui::UiAction::CancelDressing:
       cancelDressing();
