@@ -49,6 +49,12 @@ SceneDescription openGarment(const std::string& garment, const settings::OwnFabr
   return scene;
 }
 
+/// Whether a choice leaves a mesh in metres with y up as it is.
+bool isInMetres(const ReadingChoice& choice) {
+  const ReadingChoice open;
+  return (choice.unit == open.unit || choice.unit == "m") && (choice.up == open.up || choice.up == "y");
+}
+
 bool isBuiltInBody(const std::string& body) {
   return std::ranges::find(builtinBodies, body) != builtinBodies.end();
 }
@@ -74,6 +80,11 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
   const bool isBuiltIn = isBuiltInBody(body);
   if (!isBuiltIn && !io::isMeshFile(body)) {
     throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure");
+  }
+  if (isBuiltIn && !isInMetres(choice)) {
+    throw messages::InputError("the body " + body +
+                               " is built in: it is in metres with y up, and cannot be read in "
+                               "another way");
   }
   description.meshes = {wearSource(body)};
   if (body == figureName) {

@@ -1,3 +1,4 @@
+#include "scene/garment_on_body.hpp"
 #include "ui/dropped_files.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
@@ -113,11 +114,14 @@ void reasonText(const PanelContext& context, const text::Sentence& reason, float
   ImGui::PopStyleColor();
 }
 
-/// What was found in a mesh, and the choices of its unit and up axis.
+/// What was found in a mesh, and the choices of its unit and up axis unless it is built in.
 void factRows(PanelContext& context, const scene::FoundMesh& mesh, const scene::MeshReading& reading, io::MeshUse use,
-              const std::string& name, const DropLayout& layout, scene::ReadingChoice& choice) {
+              const std::string& name, const DropLayout& layout, bool isBuiltIn, scene::ReadingChoice& choice) {
   mutedText(context.texts(scene::sizeInWords(reading)));
   mutedText(context.texts(scene::countsInWords(mesh)));
+  if (isBuiltIn) {
+    return;  // in metres with y up
+  }
   const float start = ImGui::GetCursorPosX();
   choiceLabel(context, "Unit", layout);
   ImGui::SetNextItemWidth(layout.choices);
@@ -146,7 +150,8 @@ void meshRows(PanelContext& context, const DropView& shown, std::size_t i, const
     ImGui::PopStyleColor();
   } else {
     const io::MeshUse use = i == choices.cloth ? io::MeshUse::Cloth : io::MeshUse::Body;
-    factRows(context, *file->mesh, *shown.readings[i], use, "drop." + std::to_string(i), layout, choices.readings[i]);
+    factRows(context, *file->mesh, *shown.readings[i], use, "drop." + std::to_string(i), layout,
+             scene::isBuiltInWear(file->file), choices.readings[i]);
   }
   ImGui::Unindent(layout.indent);
   const float rows = 2.0F * (ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing());

@@ -150,6 +150,9 @@ TEST(Dress, readsTheBodyInItsOwnUnitAndTellsWhatItFound) {
   EXPECT_EQ(tiny.status, 1);
   EXPECT_NE(tiny.output.find("unit: millimetres (chosen)"), std::string::npos) << tiny.output;
   EXPECT_NE(tiny.output.find("up axis: z (chosen)"), std::string::npos) << tiny.output;
+  EXPECT_NE(failure("builtin:tshirt.obj mannequin --body-unit cm --output " + (folder / "no.obj").string())
+                .find("the body mannequin is built in"),
+            std::string::npos);
   EXPECT_EQ(headless(arguments + "out.obj --body-unit parsec").status, 2);
   EXPECT_EQ(headless(arguments + "out.obj --body-up sideways").status, 2);
 }

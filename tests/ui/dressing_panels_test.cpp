@@ -167,6 +167,15 @@ TEST_F(FoundFiles, HaveNoChoicesUntilTheyAreRead) {
   EXPECT_EQ(answer("button.drop.dress").clothReading, scene::ReadingChoice()) << "opening it says what is wrong";
 }
 
+TEST_F(FoundFiles, HaveNoChoicesIfTheyAreBuiltIn) {
+  found_[0].file = "mannequin";
+  DroppedFiles files = sortDropped({"/a/coat.obj"});
+  files.meshes.emplace_back("mannequin");
+  ask(files);
+  EXPECT_TRUE(panels_.buttons().contains("drop.0.unit=m"));
+  EXPECT_FALSE(panels_.buttons().contains("drop.1.unit=m"));
+}
+
 TEST_F(FoundFiles, FitIntoTheWindowInBothLanguages) {
   for (const char* language : {"en", "de"}) {
     panels_.useLanguage(*locale::findLanguage(language));
