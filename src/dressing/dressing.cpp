@@ -1,9 +1,9 @@
 #include "dressing/dressing.hpp"
 
 #include "dressing/arm_bend.hpp"
+#include "dressing/closed_body.hpp"
 #include "intersection/intersections.hpp"
 #include "sim/model/bounds.hpp"
-#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -106,10 +106,11 @@ Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body) {
   const double garmentSide = largestSide(garment.positions);
   const double bodySide = largestSide(body.positions);
   constexpr double smallestVolume = 1e-5;  // of the cube around the body [-]
-  if (!boundaryEdges(sim::edgesOf(body.triangles, body.positions.size())).empty()) {
+  const ClosedBody closed = closedBody(body);
+  if (closed.addedArea > largestHoles) {
     return Misfit::OpenBody;
   }
-  if (!(volumeOf(body) > smallestVolume * bodySide * bodySide * bodySide)) {
+  if (!(volumeOf(closed.mesh) > smallestVolume * bodySide * bodySide * bodySide)) {
     return Misfit::NoVolume;
   }
   if (garmentSide > largestRatio * bodySide) {
@@ -131,7 +132,9 @@ Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, cons
               const DressingOptions& options) {
   Dressed result;
   options.progress(Stage::Shrinking, 0.0);
-  const ShrinkingBody shrinking(body);
+  ClosedBody closed = closedBody(body);
+  result.filledHoles = closed.holes;
+  const ShrinkingBody shrinking(std::move(closed.mesh));
   const BodyParts parts(shrinking);
   const sim::ClothMesh garment{start, model.triangles};
   result.placement = placedBy(options, garment, shrinking, parts);

@@ -34,8 +34,9 @@ struct Dressed {
   Placement placement;  ///< with `move` and `turn`
   /// Whether even the thinnest body is outside the triangles of the garment. Otherwise nothing was moved.
   bool fits = true;
-  int openings = 0;  ///< of the garment
-  Pairs before;      ///< where the garment was placed
+  int openings = 0;     ///< of the garment
+  int filledHoles = 0;  ///< of the body
+  Pairs before;         ///< where the garment was placed
   Pairs after;
   std::vector<Fault> atCentreLines;  ///< what is wrong with the centre lines where the garment was placed
   std::vector<Fault> faults;         ///< what is wrong at the end
@@ -50,6 +51,10 @@ enum class Misfit { None, OpenBody, NoVolume, GarmentTooLarge, GarmentTooSmall }
 inline constexpr double largestRatio = 4.0;
 inline constexpr double smallestRatio = 0.02;
 
+/// The holes of a body are filled if their area is at most this share of the body's surface [-]. A sheet, a vessel or
+/// half of a person has larger ones.
+inline constexpr double largestHoles = 0.15;
+
 /// @param body, garment in the scene [m]
 [[nodiscard]] Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body);
 
@@ -62,7 +67,7 @@ inline constexpr double smallestRatio = 0.02;
 /// through it, and grows again while it pushes the garment outwards (Fitting). The result is judged by the exact
 /// intersection test.
 /// @param model of the garment, without pins  @param start positions in the coordinates of its file [m]
-/// @param body closed; its triangles are counter-clockwise from outside [m]
+/// @param body its triangles are counter-clockwise from outside, and its holes are filled [m]
 [[nodiscard]] Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, const sim::ClothMesh& body,
                             const DressingOptions& options);
 

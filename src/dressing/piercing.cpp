@@ -1,5 +1,6 @@
 #include "dressing/piercing.hpp"
 
+#include "dressing/closed_body.hpp"
 #include "dressing/dressing.hpp"
 #include "intersection/intersections.hpp"
 
@@ -28,7 +29,7 @@ struct PiercingSearch::Anatomy {
   Wearing wearing;
 
   Anatomy(sim::ClothMesh mesh, const scene::Scene& scene)
-      : body(std::move(mesh)),
+      : body(closedBody(std::move(mesh)).mesh),
         parts(body),
         openings({scene.start.positions, scene.model->triangles}),
         wearing(body, parts, openings, scene.model->triangles) {}

@@ -69,6 +69,19 @@ TEST(Dressing, leavesAGarmentThatCannotBeWornWhereItIs) {
   EXPECT_EQ(result.faults.front().part, BodyPart::Whole);
 }
 
+TEST(Dressing, fillsSmallHolesOfTheBody) {
+  const sim::ClothMesh garment = tube(0.19, 0.4);
+  const sim::ClothMesh body = ellipsoid({0.2, 0.5, 0.2});
+  sim::ClothMesh open = body;
+  std::erase_if(open.triangles, [&](const Triangle& t) { return open.positions[t[0]].y() > 0.48; });
+  ASSERT_LT(open.triangles.size(), body.triangles.size());
+  const Dressed result = dress(*modelOf(garment), garment.positions, open, asInFiles());
+  EXPECT_EQ(result.filledHoles, 1);
+  EXPECT_GT(result.before.body, 0U);
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_EQ(dress(*modelOf(garment), garment.positions, body, asInFiles()).filledHoles, 0);
+}
+
 TEST(Dressing, movesAndTurnsByHandAfterThePlacement) {
   const sim::ClothMesh garment = tube(0.3, 0.4);
   DressingOptions options = asInFiles();
@@ -84,6 +97,8 @@ TEST(Dressing, tellsWhyMeshesCannotBeDressed) {
   EXPECT_EQ(misfitOf(garment, body), Misfit::None);
   sim::ClothMesh open = body;
   open.triangles.pop_back();
+  EXPECT_EQ(misfitOf(garment, open), Misfit::None);  // a small hole is filled
+  std::erase_if(open.triangles, [&](const Triangle& t) { return open.positions[t[0]].y() > 0.0; });
   EXPECT_EQ(misfitOf(garment, open), Misfit::OpenBody);
   sim::ClothMesh insideOut = body;
   for (Triangle& triangle : insideOut.triangles) {

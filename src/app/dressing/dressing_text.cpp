@@ -173,7 +173,10 @@ Sentence summaryOf(const dressing::Dressed& result, bool isByHand) {
                              ? Sentence("from where you placed it")
                              : inWords(result.placement.rule);
   Sentence words("{}; {} intersected there, and {} at the end", place, inWords(result.before), inWords(result.after));
-  return words.append(": ", inWords(result.faults));
+  words.append(": ", inWords(result.faults));
+  return result.filledHoles > 0
+             ? words.append("; ", Sentence("holes of the body that were filled: {}", result.filledHoles))
+             : words;
 }
 
 Sentence refusalOf(const dressing::Dressed& result, const std::string& garment) {
@@ -200,7 +203,8 @@ Sentence inWords(dressing::Misfit misfit, const std::string& garment, const std:
                  double bodySide) {
   switch (misfit) {
     case dressing::Misfit::OpenBody:
-      return Sentence("{}: the body has holes, so it has no inside. Close them first", body);
+      return Sentence("{}: the body has holes that are too large to be filled, so it has no inside. Close them first",
+                      body);
     case dressing::Misfit::NoVolume:
       return Sentence("{}: the body has no volume, or its triangles are inside out. Turn its faces outwards first",
                       body);
