@@ -1,5 +1,6 @@
 #include "animation_baker.hpp"
 
+#include "animated_nodes.hpp"
 #include "io/mesh_import.hpp"
 #include "io/quoted_text.hpp"
 #include "messages/error.hpp"
@@ -11,8 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,10 +25,6 @@ constexpr double longestClip = 600.0;  // [s]
 constexpr std::size_t maxTriangles = io::maxMovingTriangles;
 constexpr std::size_t maxPositions = 30'000'000;  // in all frames
 constexpr double usualTicks = 25.0;               // a second, for a file that does not say
-
-std::string nameOf(const aiString& name) {
-  return {name.data, name.length};
-}
 
 std::string clipNames(const aiScene& scene) {
   std::string names;
@@ -50,6 +45,9 @@ const aiAnimation& chooseClip(const aiScene& scene, const std::string& clip) {
     if (!clip.empty() && nameOf(scene.mAnimations[i]->mName) == clip) {
       return *scene.mAnimations[i];
     }
+  }
+  if (scene.mNumAnimations == 1 && scene.mAnimations[0]->mName.length == 0) {
+    throw InputError("there is no clip " + io::quoted(clip) + "; its only clip has no name. Leave the name out.");
   }
   throw InputError(
       (clip.empty() ? std::string("there are several clips in it") : "there is no clip " + io::quoted(clip)) +
@@ -93,45 +91,27 @@ Value valueAt(const Key* keys, unsigned count, double ticks, const Value& usual)
   return between(from.mValue, next->mValue, static_cast<float>((ticks - from.mTime) / (next->mTime - from.mTime)));
 }
 
-/// The nodes of a scene with their parents before them.
-struct Node {
-  const aiNode* node = nullptr;
-  int parent = -1;
-  const aiNodeAnim* channel = nullptr;
-};
-
-/// A bone of a mesh.
-struct Bone {
-  int node = 0;
-  const aiBone* bone = nullptr;
-};
-
-/// A mesh where a node places it.
-struct Instance {
-  const aiMesh* mesh = nullptr;
-  int node = 0;
-  std::vector<Bone> bones;
-  std::size_t first = 0;           // of its vertices in a frame
-  std::vector<float> totalWeight;  // of each vertex; empty without bones
-};
-
 class Baker {
  public:
-  Baker(const aiScene& scene, const aiAnimation& clip) : scene_(scene) {
-    addNode(*scene.mRootNode, -1);
-    for (unsigned c = 0; c < clip.mNumChannels; ++c) {
-      addChannel(*clip.mChannels[c]);
+  Baker(const aiScene& scene, const aiAnimation& clip) : tree_(scene) {
+    if (!tree_.missingBone().empty()) {
+      throw InputError("its bone " + io::quoted(tree_.missingBone()) +
+                       " is not in the skeleton. Export the skin with its skeleton.");
     }
-    for (Instance& instance : instances_) {
-      addBones(instance);
+    for (unsigned c = 0; c < clip.mNumChannels; ++c) {
+      checkChannel(*clip.mChannels[c]);
+      tree_.animate(*clip.mChannels[c]);
+    }
+    for (const MeshInstance& instance : tree_.instances()) {
+      totalWeights_.push_back(totalWeightsOf(instance));
     }
   }
 
-  [[nodiscard]] std::size_t vertices() const { return vertices_; }
+  [[nodiscard]] std::size_t vertices() const { return tree_.vertices(); }
 
   [[nodiscard]] std::vector<Triangle> triangles(int& facesSkipped) const {
     std::vector<Triangle> all;
-    for (const Instance& instance : instances_) {
+    for (const MeshInstance& instance : tree_.instances()) {
       for (unsigned f = 0; f < instance.mesh->mNumFaces; ++f) {
         const aiFace& face = instance.mesh->mFaces[f];
         if (face.mNumIndices != 3) {
@@ -151,23 +131,24 @@ class Baker {
   /// The positions at a time of the clip [ticks].
   [[nodiscard]] std::vector<Vec3> frameAt(double ticks, double scale) {
     placeNodes(ticks);
-    std::vector<Vec3> positions(vertices_, Vec3::Zero());
-    for (const Instance& instance : instances_) {
-      for (const Bone& bone : instance.bones) {
-        const aiMatrix4x4 moves = places_[bone.node] * bone.bone->mOffsetMatrix;
-        for (unsigned w = 0; w < bone.bone->mNumWeights; ++w) {
-          const aiVertexWeight& weight = bone.bone->mWeights[w];
-          const float total = instance.totalWeight[weight.mVertexId];
-          const float share = total > 0.0F ? weight.mWeight / total : 0.0F;
-          add(moves * instance.mesh->mVertices[weight.mVertexId], share * scale,
-              positions[instance.first + weight.mVertexId]);
-        }
-      }
-      for (unsigned v = 0; v < instance.mesh->mNumVertices; ++v) {
-        if (instance.totalWeight.empty() || !(instance.totalWeight[v] > 0.0F)) {  // it follows its node
-          add(places_[instance.node] * instance.mesh->mVertices[v], scale, positions[instance.first + v]);
-        }
-      }
+    return skinned(scale);
+  }
+
+  /// The positions between the bind pose, share 0, and a time of the clip, share 1.
+  [[nodiscard]] std::vector<Vec3> frameBefore(double ticks, double share, double scale) {
+    if (bind_.empty()) {
+      bind_ = bindPose(tree_);
+    }
+    placeNodes(ticks);
+    places_ = betweenPoses(tree_, bind_, places_, share);
+    return skinned(scale);
+  }
+
+ private:
+  [[nodiscard]] std::vector<Vec3> skinned(double scale) const {
+    std::vector<Vec3> positions(vertices(), Vec3::Zero());
+    for (std::size_t i = 0; i < tree_.instances().size(); ++i) {
+      addInstance(tree_.instances()[i], totalWeights_[i], scale, positions);
     }
     if (!std::all_of(positions.begin(), positions.end(), [](const Vec3& p) { return p.allFinite(); })) {
       throw InputError("one of its vertices moves to a place that is not a finite number. Export the animation again.");
@@ -175,63 +156,59 @@ class Baker {
     return positions;
   }
 
- private:
   static void add(const aiVector3D& position, double weight, Vec3& sum) {
     sum += weight * Vec3(position.x, position.y, position.z);
   }
 
-  void addNode(const aiNode& node, int parent) {
-    const auto index = static_cast<int>(nodes_.size());
-    nodes_.push_back({&node, parent, nullptr});
-    byName_.emplace(nameOf(node.mName), index);
-    for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-      const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[m]];
-      instances_.push_back({&mesh, index, {}, vertices_, {}});
-      vertices_ += mesh.mNumVertices;
+  void addInstance(const MeshInstance& instance, const std::vector<float>& totals, double scale,
+                   std::vector<Vec3>& positions) const {
+    for (const SkinBone& bone : instance.bones) {
+      const aiMatrix4x4 moves = places_[bone.node] * bone.bone->mOffsetMatrix;
+      for (unsigned w = 0; w < bone.bone->mNumWeights; ++w) {
+        const aiVertexWeight& weight = bone.bone->mWeights[w];
+        const float total = totals[weight.mVertexId];
+        const float share = total > 0.0F ? weight.mWeight / total : 0.0F;
+        add(moves * instance.mesh->mVertices[weight.mVertexId], share * scale,
+            positions[instance.first + weight.mVertexId]);
+      }
     }
-    for (unsigned c = 0; c < node.mNumChildren; ++c) {
-      addNode(*node.mChildren[c], index);
+    for (unsigned v = 0; v < instance.mesh->mNumVertices; ++v) {
+      if (totals.empty() || !(totals[v] > 0.0F)) {  // it follows its node
+        add(places_[instance.node] * instance.mesh->mVertices[v], scale, positions[instance.first + v]);
+      }
     }
   }
 
-  void addChannel(const aiNodeAnim& channel) {
+  static void checkChannel(const aiNodeAnim& channel) {
     const std::string name = nameOf(channel.mNodeName);
     checkKeys(channel.mPositionKeys, channel.mNumPositionKeys, name);
     checkKeys(channel.mRotationKeys, channel.mNumRotationKeys, name);
     checkKeys(channel.mScalingKeys, channel.mNumScalingKeys, name);
-    if (const auto found = byName_.find(name); found != byName_.end()) {
-      nodes_[found->second].channel = &channel;
-    }
   }
 
-  void addBones(Instance& instance) {
-    const aiMesh& mesh = *instance.mesh;
-    if (mesh.mNumBones == 0) {
-      return;
+  /// The sum of the weights of each vertex; empty without bones.
+  static std::vector<float> totalWeightsOf(const MeshInstance& instance) {
+    std::vector<float> totals;
+    if (instance.bones.empty()) {
+      return totals;
     }
-    instance.totalWeight.assign(mesh.mNumVertices, 0.0F);
-    for (unsigned b = 0; b < mesh.mNumBones; ++b) {
-      const aiBone& bone = *mesh.mBones[b];
-      const auto found = byName_.find(nameOf(bone.mName));
-      if (found == byName_.end()) {
-        throw InputError("its bone " + io::quoted(nameOf(bone.mName)) +
-                         " is not in the skeleton. Export the skin with its skeleton.");
-      }
-      for (unsigned w = 0; w < bone.mNumWeights; ++w) {
-        if (bone.mWeights[w].mVertexId >= mesh.mNumVertices) {
-          throw InputError("its bone " + io::quoted(nameOf(bone.mName)) +
+    totals.assign(instance.mesh->mNumVertices, 0.0F);
+    for (const SkinBone& bone : instance.bones) {
+      for (unsigned w = 0; w < bone.bone->mNumWeights; ++w) {
+        if (bone.bone->mWeights[w].mVertexId >= instance.mesh->mNumVertices) {
+          throw InputError("its bone " + io::quoted(nameOf(bone.bone->mName)) +
                            " moves a missing vertex. Export the mesh again.");
         }
-        instance.totalWeight[bone.mWeights[w].mVertexId] += bone.mWeights[w].mWeight;
+        totals[bone.bone->mWeights[w].mVertexId] += bone.bone->mWeights[w].mWeight;
       }
-      instance.bones.push_back({found->second, &bone});
     }
+    return totals;
   }
 
   void placeNodes(double ticks) {
-    places_.resize(nodes_.size());
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-      const Node& node = nodes_[n];
+    places_.resize(tree_.nodes().size());
+    for (std::size_t n = 0; n < places_.size(); ++n) {
+      const AnimatedNode& node = tree_.nodes()[n];
       aiMatrix4x4 own = node.node->mTransformation;
       if (node.channel != nullptr) {
         const aiNodeAnim& channel = *node.channel;
@@ -247,12 +224,10 @@ class Baker {
     }
   }
 
-  const aiScene& scene_;
-  std::vector<Node> nodes_;
-  std::map<std::string, int> byName_;
-  std::vector<Instance> instances_;
-  std::vector<aiMatrix4x4> places_;
-  std::size_t vertices_ = 0;
+  NodeTree tree_;
+  std::vector<std::vector<float>> totalWeights_;  // of the vertices of each instance
+  NodePlaces places_;
+  NodePlaces bind_;  // once one was needed
 };
 
 void requireBones(const aiScene& scene) {
@@ -262,6 +237,16 @@ void requireBones(const aiScene& scene) {
     }
   }
   throw InputError("none of its meshes has a skin with bones. Export the mesh with its skeleton and its weights.");
+}
+
+/// 0 at 0 and 1 at 1, with slope 0 at both.
+double smoothStep(double x) {
+  return x * x * (3.0 - 2.0 * x);
+}
+
+/// The time of a frame of a clip.
+double ticksOf(std::size_t frame, std::size_t frames, const aiAnimation& clip) {
+  return static_cast<double>(frame) / static_cast<double>(frames) * clip.mDuration;
 }
 
 }  // namespace
@@ -287,18 +272,24 @@ io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options) 
                                  reply.mesh.triangles.size(), maxTriangles));
   }
   const auto steps = static_cast<std::size_t>(std::max(1L, std::lround(duration * options.rate)));
-  if ((steps + 1) * baker.vertices() > maxPositions) {
+  reply.frameTime = duration / static_cast<double>(steps);
+  const auto lead = static_cast<std::size_t>(std::ceil(options.blend / reply.frameTime));
+  if ((lead + steps + 1) * baker.vertices() > maxPositions) {
     throw InputError(
         fmt::format("its clip has {} frames of {} vertices, which is too much. Use a lower rate, or reduce "
                     "the mesh.",
-                    steps + 1, baker.vertices()));
+                    lead + steps + 1, baker.vertices()));
+  }
+  for (std::size_t k = 0; k < lead; ++k) {
+    const double share = smoothStep(static_cast<double>(k) / static_cast<double>(lead));
+    const std::size_t frame = options.loop ? (steps - (lead - k) % steps) % steps : 0;
+    reply.frames.push_back(baker.frameBefore(ticksOf(frame, steps, clip), share, options.metresPerUnit));
   }
   for (std::size_t k = 0; k <= steps; ++k) {
-    const double share = static_cast<double>(k) / static_cast<double>(steps);
-    reply.frames.push_back(baker.frameAt(share * clip.mDuration, options.metresPerUnit));
+    reply.frames.push_back(baker.frameAt(ticksOf(k, steps, clip), options.metresPerUnit));
   }
+  reply.leadFrames = lead;
   reply.mesh.positions = reply.frames.front();
-  reply.frameTime = duration / static_cast<double>(steps);
   return reply;
 }
 

@@ -1,5 +1,5 @@
-// drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE]: reads a mesh file from standard input and writes an
-// ImportReply to standard output. With a clip it also computes the frames of a skeletal animation. It is a separate
+// drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE LOOP BLEND]: reads a mesh file from standard input and writes
+// an ImportReply to standard output. With a clip it also computes the frames of a skeletal animation. It is a separate
 // program because the parsing library crashes or hangs on some damaged files.
 #include "animation_baker.hpp"
 #include "io/chained_index.hpp"
@@ -331,10 +331,11 @@ ImportReply import(const Task& task) {
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
-  const bool bakes = argumentCount == 6;
+  const bool bakes = argumentCount == 8;
   if ((argumentCount != 3 && !bakes) || isatty(STDIN_FILENO) != 0) {
     constexpr std::string_view usage =
-        "usage: drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE] < MESH > REPLY\nDrape starts this program; do "
+        "usage: drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE LOOP BLEND] < MESH > REPLY\nDrape starts this "
+        "program; do "
         "not "
         "run it directly.\n";
     return write(STDERR_FILENO, usage.data(), usage.size()) < 0 ? EXIT_FAILURE : 2;
@@ -342,7 +343,8 @@ int main(int argumentCount, char** arguments) {
   limitThisProcess(std::strtol(arguments[2], nullptr, 10));
   Task task{arguments[1], std::nullopt};
   if (bakes) {
-    task.bake = {arguments[3], std::strtod(arguments[4], nullptr), std::strtod(arguments[5], nullptr)};
+    task.bake = {arguments[3], std::strtod(arguments[4], nullptr), std::strtod(arguments[5], nullptr),
+                 std::string_view(arguments[6]) == "1", std::strtod(arguments[7], nullptr)};
   }
   writeStandardOutput(drape::io::encodeReply(import(task)));
   return EXIT_SUCCESS;

@@ -63,6 +63,7 @@ AnimatedMesh joined(const ImportReply& reply) {
   const auto [numbers, count] = joinedVertices(reply.frames);
   AnimatedMesh mesh;
   mesh.frameTime = reply.frameTime;
+  mesh.leadFrames = reply.leadFrames;
   for (const auto& [a, b, c] : reply.mesh.triangles) {
     const Triangle triangle{numbers[a], numbers[b], numbers[c]};
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) {
@@ -109,7 +110,8 @@ AnimatedMesh importAnimation(const fs::path& file, const AnimationOptions& optio
       bytes = gltfWithEverything(plainText(bytes, storage), folder);
     }
     const ImportReply reply =
-        replyOf({format, options.clip, fmt::format("{}", options.rate), fmt::format("{}", options.metresPerUnit)},
+        replyOf({format, options.clip, fmt::format("{}", options.rate), fmt::format("{}", options.metresPerUnit),
+                 options.loop ? "1" : "0", fmt::format("{}", options.blend)},
                 bytes, defaultTimeLimit(bytes.size()), "another format (" + animationFormatList() + ")", options.watch);
     checkReply(reply);
     return joined(reply);

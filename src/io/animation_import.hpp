@@ -3,6 +3,7 @@
 #include "io/import_watch.hpp"
 #include "sim/model/vector.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ struct AnimationOptions {
   std::string clip;            ///< its name; empty: the only one
   double rate = 60.0;          ///< frames a second [1/s]
   double metresPerUnit = 1.0;  ///< a factor on lengths, beyond the unit that the file states [-]
+  bool loop = false;           ///< whether the clip repeats
+  double blend = 0.0;  ///< time from the bind pose, in which the mesh was modelled, to the start of the clip [s]
   ImportWatch watch = {};
 };
 
@@ -23,6 +26,7 @@ struct AnimatedMesh {
   std::vector<std::vector<Vec3>> frames;  ///< the positions at equal time intervals, at least two, the last one at the
                                           ///< end of the clip [m]
   double frameTime = 0.0;                 ///< [s]; the length of the clip is a multiple of it
+  std::size_t leadFrames = 0;  ///< the first ones, of the blend from the bind pose; the clip begins after them
 };
 
 /// The extensions of the formats with skeletal animation, lower case, without the dot.

@@ -24,6 +24,7 @@ struct Header {
   std::uint64_t errorLength = 0;
   std::uint64_t frames = 0;
   double frameTime = 0.0;
+  std::uint64_t leadFrames = 0;
 };
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
@@ -95,6 +96,7 @@ std::string encodeReply(const ImportReply& reply) {
   header.errorLength = reply.error.size();
   header.frames = reply.frames.size();
   header.frameTime = reply.frameTime;
+  header.leadFrames = reply.leadFrames;
   std::string bytes;
   bytes.reserve(sizeof(Header) + mesh.positions.size() * sizeof(Vec3) + mesh.uvs.size() * sizeof(Vec2) +
                 mesh.triangles.size() * sizeof(Triangle) + reply.error.size() + sizeof(closingMark) +
@@ -137,13 +139,14 @@ ImportReply decodeReply(std::string_view bytes) {
   reply.mesh.uvs = reader.takeArray<Vec2>(header.uvs);
   reply.mesh.triangles = reader.takeArray<Triangle>(header.triangles);
   reply.mesh.facesSkipped = static_cast<int>(header.facesSkipped);
-  if (header.frames > 0 && (header.vertices == 0 || !(header.frameTime > 0.0))) {
+  if (header.leadFrames > header.frames || (header.frames > 0 && (header.vertices == 0 || !(header.frameTime > 0.0)))) {
     throwGarbled("contradicts its own counts");
   }
   for (std::uint64_t frame = 0; frame < header.frames; ++frame) {
     reply.frames.push_back(reader.takeArray<Vec3>(header.vertices));
   }
   reply.frameTime = header.frameTime;
+  reply.leadFrames = static_cast<std::size_t>(header.leadFrames);
   reply.error = reader.takeText(header.errorLength);
   std::uint64_t mark = 0;
   reader.take(&mark, sizeof(mark));

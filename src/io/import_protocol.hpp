@@ -2,6 +2,7 @@
 
 #include "io/mesh_import.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,7 +15,8 @@ struct ImportReply {
   RawMesh mesh;
   /// The positions of an animation's frames, as many in each as the mesh has; empty without an animation.
   std::vector<std::vector<Vec3>> frames;
-  double frameTime = 0.0;  ///< between two frames [s]
+  double frameTime = 0.0;      ///< between two frames [s]
+  std::size_t leadFrames = 0;  ///< frames before the clip begins
   std::string error;  ///< empty when there is a mesh; otherwise one sentence with a full stop, without the file name
 };
 

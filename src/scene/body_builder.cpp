@@ -75,16 +75,22 @@ std::shared_ptr<const sim::contact::MeshShape> readMeshShape(const BodyDescripti
 std::shared_ptr<const sim::contact::MeshShape> readAnimatedMesh(const BodyDescription& description,
                                                                 const io::ImportWatch& watch) {
   const MeshFileSource& source = description.meshes.front();
-  io::AnimationOptions options{description.animation->clip, description.animation->rate, description.scale, {}};
+  io::AnimationOptions options{.clip = description.animation->clip,
+                               .rate = description.animation->rate,
+                               .metresPerUnit = description.scale,
+                               .loop = description.frameLoop,
+                               .blend = description.animation->blend,
+                               .watch = {}};
   options.watch.stop = watch.stop;
   try {
     io::AnimatedMesh mesh = io::importAnimation(source.path, options);
     auto shape = std::make_shared<sim::contact::MeshShape>();
     shape->triangles = std::move(mesh.triangles);
     shape->frames = std::move(mesh.frames);
-    if (description.frameLoop && shape->frames.size() > 2) {
+    if (description.frameLoop && shape->frames.size() > mesh.leadFrames + 2) {
       shape->frames.pop_back();
     }
+    shape->loopStart = mesh.leadFrames;
     shape->positions = shape->frames.front();
     shape->frameTime = mesh.frameTime;
     shape->loop = description.frameLoop;

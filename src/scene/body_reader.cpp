@@ -108,11 +108,12 @@ void readFrames(const TomlReader& frames, const MeshFileSource& pattern, BodyDes
 
 /// A clip of the skeletal animation in one file.
 void readAnimation(const TomlReader& table, const MeshFileSource& mesh, BodyDescription& body) {
-  table.allowOnly({"clip", "rate", "loop"});
+  table.allowOnly({"clip", "rate", "loop", "blend"});
   if (mesh.builtIn) {
     table.fail("an animation is read from a file; no built-in mesh has one");
   }
-  body.animation = AnimationSource{table.text("clip").value_or(""), table.number("rate", 1.0, 1000.0).value_or(60.0)};
+  body.animation = AnimationSource{table.text("clip").value_or(""), table.number("rate", 1.0, 1000.0).value_or(60.0),
+                                   table.number("blend", 0.0, 60.0).value_or(0.0)};
   body.frameLoop = table.flag("loop").value_or(false);
   body.meshes.push_back(mesh);
 }

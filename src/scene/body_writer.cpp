@@ -69,8 +69,10 @@ void writeMesh(const BodyDescription& body, const std::filesystem::path& folder,
   }
   if (body.animation) {
     const std::string clip = body.animation->clip.empty() ? "" : "clip = " + quotedText(body.animation->clip) + ", ";
-    toml.value("animation", fmt::format("{{ {}rate = {}, loop = {} }}", clip, text::exactNumber(body.animation->rate),
-                                        loopText(body)));
+    const std::string blend =
+        body.animation->blend > 0.0 ? ", blend = " + text::exactNumber(body.animation->blend) : "";
+    toml.value("animation", fmt::format("{{ {}rate = {}, loop = {}{} }}", clip, text::exactNumber(body.animation->rate),
+                                        loopText(body), blend));
   } else if (body.cache) {
     const std::string rate =
         io::hasOwnTimes(body.cache->path) ? "" : "rate = " + text::exactNumber(body.cache->rate) + ", ";

@@ -76,6 +76,7 @@ struct PinSelection {
 struct AnimationSource {
   std::string clip;    ///< its name; empty: the only one
   double rate = 60.0;  ///< frames a second [1/s]
+  double blend = 0.0;  ///< time in which the body goes from the pose of its mesh (bind pose) into the clip [s]
 };
 
 /// A vertex cache (PC2 or MDD), which becomes the motion of a body's vertices.
@@ -157,6 +158,9 @@ inline constexpr double maxBandLength = 1.5;
 struct ClothDescription {
   std::string name;  ///< unique in the scene; empty for [cloth]
   std::variant<GridSource, MeshFileSource> source;
+  /// A file with the same vertices, where they are at the start: in the unit and the axes of the mesh, moved by
+  /// position, rotation and placement. It does not change the rest shape. Empty: the start is the rest shape.
+  std::optional<MeshFileSource> start;
   Vec3 position = Vec3::Zero();  ///< added to the mesh [m]
   Vec3 rotation = Vec3::Zero();  ///< applied to the mesh first, about its own origin: axis times angle [rad]
   /// Of the cloth at its start. Its scale is that of the rest shape, too. Pins, bands and seams refer to the cloth

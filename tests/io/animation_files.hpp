@@ -16,6 +16,12 @@ struct BarFile {
   std::array<float, 3> times{0.0F, 1.0F, 2.0F};  ///< of the keys of "bend" [s]
   std::string name = "bend";                     ///< of the clip that bends
 
+  std::string upperPose;         ///< more keys of the node "upper", after a comma: its turn without a clip
+  std::string meshName = "bar";  ///< of the node of the mesh
+  std::string meshPose;          ///< the same of the node of the mesh, which readers of skinned meshes ignore
+
+  bool isSolid = false;  ///< a closed block of the depth 1 instead of a strip
+
   int layers = 1;  ///< how often the mesh has each of its triangles
 
   [[nodiscard]] std::string text() const;
@@ -52,17 +58,32 @@ inline std::string BarFile::text() const {
     data.append(static_cast<const char*>(values), bytes);
     data.append((4 - data.size() % 4) % 4, '\0');
   };
-  const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0};
-  std::vector<std::uint16_t> indices;
-  for (int layer = 0; layer < layers; ++layer) {
-    indices.insert(indices.end(), {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5});
-  }
+  std::vector<float> positions;
   std::vector<std::uint8_t> bones;
   std::vector<float> weights;
-  for (int vertex = 0; vertex < 6; ++vertex) {
-    bones.insert(bones.end(), {static_cast<std::uint8_t>(vertex >= 4 ? 1 : 0), 1, 0, 0});
-    weights.insert(weights.end(),
-                   {vertex == 2 || vertex == 3 ? 0.5F : 1.0F, vertex == 2 || vertex == 3 ? 0.5F : 0.0F, 0, 0});
+  const std::vector<std::array<float, 2>> corners =
+      isSolid ? std::vector<std::array<float, 2>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}}
+              : std::vector<std::array<float, 2>>{{0, 0}, {1, 0}};
+  for (int row = 0; row < 3; ++row) {
+    for (const auto& [x, z] : corners) {
+      positions.insert(positions.end(), {x, static_cast<float>(row), z});
+      bones.insert(bones.end(), {static_cast<std::uint8_t>(row == 2 ? 1 : 0), 1, 0, 0});
+      weights.insert(weights.end(), {row == 1 ? 0.5F : 1.0F, row == 1 ? 0.5F : 0.0F, 0, 0});
+    }
+  }
+  const auto vertices = static_cast<int>(positions.size() / 3);
+  std::vector<std::uint16_t> indices;
+  for (int layer = 0; layer < layers && !isSolid; ++layer) {
+    indices.insert(indices.end(), {0, 1, 2, 2, 1, 3, 2, 3, 4, 4, 3, 5});
+  }
+  for (int side = 0; side < 8 && isSolid; ++side) {
+    const auto a = static_cast<std::uint16_t>(side);
+    const auto b = static_cast<std::uint16_t>(side / 4 * 4 + (side + 1) % 4);
+    indices.insert(indices.end(), {a, static_cast<std::uint16_t>(a + 4), b, b, static_cast<std::uint16_t>(a + 4),
+                                   static_cast<std::uint16_t>(b + 4)});
+  }
+  if (isSolid) {
+    indices.insert(indices.end(), {0, 1, 2, 0, 2, 3, 8, 10, 9, 8, 11, 10});
   }
   const std::vector<float> inverseBinds{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,  //
                                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1};
@@ -70,10 +91,11 @@ inline std::string BarFile::text() const {
   const std::vector<float> turns{0, 0, 0, 1, 0, 0, 0.38268343F, 0.92387953F, 0, 0, half, half};
   const std::vector<float> still{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   constexpr int number = 5126;
-  add(positions.data(), positions.size() * 4, 6, number, "VEC3", R"(,"min":[0,0,0],"max":[1,2,0])");
+  add(positions.data(), positions.size() * 4, vertices, number, "VEC3",
+      R"(,"min":[0,0,0],"max":[1,2,)" + std::string(isSolid ? "1]" : "0]"));
   add(indices.data(), indices.size() * 2, static_cast<int>(indices.size()), 5123, "SCALAR");
-  add(bones.data(), bones.size(), 6, 5121, "VEC4");
-  add(weights.data(), weights.size() * 4, 6, number, "VEC4");
+  add(bones.data(), bones.size(), vertices, 5121, "VEC4");
+  add(weights.data(), weights.size() * 4, vertices, number, "VEC4");
   add(inverseBinds.data(), inverseBinds.size() * 4, 2, number, "MAT4");
   add(times.data(), times.size() * 4, 3, number, "SCALAR", R"(,"min":[0],"max":[2])");
   add(turns.data(), turns.size() * 4, 3, number, "VEC4");
@@ -83,7 +105,10 @@ inline std::string BarFile::text() const {
            R"(}],"channels":[{"sampler":0,"target":{"node":2,"path":"rotation"}}]})";
   };
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[)"
-         R"({"name":"bar","mesh":0,"skin":0},{"name":"lower","children":[2]},{"name":"upper","translation":[0,1,0]}],)"
+         R"({"name":")" +
+         meshName + R"(","mesh":0,"skin":0)" + meshPose +
+         R"(},{"name":"lower","children":[2]},{"name":"upper","translation":[0,1,0])" + upperPose +
+         R"(}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1}]}],)"
          R"("skins":[{"joints":)" +
          joints + R"(,"inverseBindMatrices":4}],"animations":[)" + clip(name, 6) + "," + clip("still", 7) +

@@ -80,6 +80,58 @@ TEST(AnimationImport, movesEachVertexWithTheWeightsOfItsBones) {
   }
 }
 
+/// The tip of the bar where the upper bone is turned by an angle.
+Vec3 tipAt(double angle) {
+  return {-std::sin(angle), 1.0 + std::cos(angle), 0.0};
+}
+
+TEST(AnimationImport, beginsInTheBindPoseAndBlendsIntoTheClip) {
+  AnimationOptions options = clipAt("bend", 10.0);
+  options.blend = 1.0;
+  options.loop = true;
+  BarFile bar;
+  bar.upperPose = R"(,"rotation":[0,0,0.70710678,0.70710678])";  // it is not modelled like this
+  const AnimatedMesh mesh = readBar(bar, options);
+  ASSERT_EQ(mesh.leadFrames, 10U);
+  ASSERT_EQ(mesh.frames.size(), 31U);
+  const std::size_t tip = vertexAt(mesh, {0.0, 2.0, 0.0});
+  for (const std::size_t k : {0U, 3U, 5U, 9U}) {
+    // The clip runs meanwhile: it is 1 s before its end at first, where its angle is 45 degrees.
+    const double x = static_cast<double>(k) / 10.0;
+    const double angle = x * x * (3.0 - 2.0 * x) * std::numbers::pi / 4.0 * (1.0 + x);
+    EXPECT_LT((mesh.frames[k][tip] - tipAt(angle)).norm(), 1e-5) << k;
+  }
+  EXPECT_LT((mesh.frames[10][tip] - tipAt(0.0)).norm(), 1e-5);
+  EXPECT_LT((mesh.frames[20][tip] - tipAt(std::numbers::pi / 4.0)).norm(), 1e-5);
+}
+
+TEST(AnimationImport, waitsForAClipThatDoesNotLoopAtItsStart) {
+  AnimationOptions options = clipAt("bend", 10.0);
+  options.blend = 0.5;
+  const AnimatedMesh mesh = readBar({}, options);
+  ASSERT_EQ(mesh.leadFrames, 5U);
+  for (std::size_t k = 0; k < 6; ++k) {
+    EXPECT_LT((mesh.frames[k][vertexAt(mesh, {0.0, 2.0, 0.0})] - tipAt(0.0)).norm(), 1e-5) << k;
+  }
+}
+
+TEST(AnimationImport, takesTheBindPoseFromTheBonesWhereTheNodeOfTheMeshIsElsewhere) {
+  AnimationOptions options = clipAt("still", 10.0);
+  options.blend = 0.5;
+  BarFile bar;
+  bar.meshPose = R"(,"scale":[100,100,100])";
+  const AnimatedMesh mesh = readBar(bar, options);
+  EXPECT_LT(vertexAt(mesh, {0.0, 2.0, 0.0}), 6U);
+}
+
+TEST(AnimationImport, movesTheBoneOfTwoNodesWithOneName) {
+  BarFile bar;
+  bar.meshName = "upper";
+  const AnimatedMesh mesh = readBar(bar, clipAt("bend", 2.0));
+  const std::size_t tip = vertexAt(mesh, {0.0, 2.0, 0.0});
+  EXPECT_LT((mesh.frames.back()[tip] - tipAt(std::numbers::pi / 2.0)).norm(), 1e-5);
+}
+
 TEST(AnimationImport, choosesTheClipByItsName) {
   const AnimatedMesh mesh = readBar({}, clipAt("still", 3.0));
   EXPECT_EQ(mesh.frames.size(), 7U);

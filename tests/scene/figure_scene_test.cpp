@@ -86,6 +86,8 @@ TEST(FigureScenes, nameTheFileOfAnAnimationThatCannotBeRead) {
     EXPECT_NE(std::string(error.what()).find("nowhere.glb: no such file"), std::string::npos) << error.what();
   }
   EXPECT_NE(problemOf("shape = \"mesh\"\nmesh = \"a.glb\"\nanimation = { rate = 0 }").find("rate"), std::string::npos);
+  EXPECT_NE(problemOf("shape = \"mesh\"\nmesh = \"a.glb\"\nanimation = { blend = 61 }").find("blend"),
+            std::string::npos);
   EXPECT_NE(problemOf("shape = \"mesh\"\nmesh = \"a_#.obj\"\nframes = { last = 3 }\nanimation = { rate = 30 }")
                 .find("either frames or an animation"),
             std::string::npos);

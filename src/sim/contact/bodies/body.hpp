@@ -4,6 +4,7 @@
 #include "sim/contact/bodies/pose.hpp"
 #include "sim/model/vector.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -52,7 +53,8 @@ struct MeshShape {
   /// frame.
   std::vector<std::vector<Vec3>> frames;
   double frameTime = 1.0 / 30.0;  ///< time between two frames [s]
-  bool loop = false;              ///< the first frame follows the last
+  bool loop = false;              ///< the frame `loopStart` follows the last one
+  std::size_t loopStart = 0;      ///< frames before this one are shown once
   /// Computes the positions at any time instead of `frames`. `positions` equals those at time 0. Null: none.
   std::shared_ptr<const Deformation> deformation = nullptr;
 

@@ -12,6 +12,21 @@ const MeshShape* meshOf(const Body& body) {
   return mesh == nullptr ? nullptr : mesh->get();
 }
 
+/// The number of the frame at that time [s], with a fraction towards the next one.
+double frameAt(const MeshShape& mesh, double time) {
+  const auto count = static_cast<double>(mesh.frames.size());
+  const double at = time / mesh.frameTime;
+  if (!mesh.loop) {
+    return std::clamp(at, 0.0, count - 1.0);
+  }
+  const auto start = static_cast<double>(mesh.loopStart);
+  if (at < start) {
+    return std::max(at, 0.0);
+  }
+  const double period = count - start;
+  return at - period * std::floor((at - start) / period);
+}
+
 bool deforms(const Body& body) {
   const MeshShape* mesh = meshOf(body);
   return mesh != nullptr && mesh->deforms();
@@ -29,14 +44,13 @@ void meshPositionsAt(const MeshShape& mesh, double time, std::vector<Vec3>& posi
     positions = mesh.positions;
     return;
   }
+  const double at = frameAt(mesh, time);
   const auto last = static_cast<double>(mesh.loop ? count : count - 1);
-  double at = time / mesh.frameTime;
-  at = mesh.loop ? at - last * std::floor(at / last) : std::clamp(at, 0.0, last);
   const double whole = std::min(std::floor(at), last - 1.0);
   const auto k = static_cast<std::size_t>(whole);
   const double fraction = at - whole;
   const std::vector<Vec3>& from = mesh.frames[k];
-  const std::vector<Vec3>& to = mesh.frames[(k + 1) % count];
+  const std::vector<Vec3>& to = mesh.frames[k + 1 < count ? k + 1 : mesh.loopStart];
   positions.resize(from.size());
   for (std::size_t i = 0; i < from.size(); ++i) {
     positions[i] = (1.0 - fraction) * from[i] + fraction * to[i];
@@ -52,9 +66,9 @@ BodyWorld::BodyWorld(std::shared_ptr<const std::vector<Body>> bodies, double tim
 }
 
 void BodyWorld::reset(double time) {
-  for (std::size_t i = 0; i < states_.size(); ++i) {
-    states_[i].targetShift.setZero();
-    states_[i].shift.setZero();
+  for (BodyState& state : states_) {
+    state.targetShift.setZero();
+    state.shift.setZero();
   }
   placeAt(time);
 }

@@ -67,6 +67,27 @@ TEST(BodyWorld, interpolatesAMeshSequenceLinearlyBetweenItsFrames) {
   EXPECT_EQ(positions[0], Vec3(0.5, 0, 0));
 }
 
+TEST(BodyWorld, showsTheFramesBeforeTheLoopOnce) {
+  MeshShape mesh;
+  mesh.positions = {Vec3(5, 0, 0)};
+  mesh.frames = {{Vec3(5, 0, 0)}, {Vec3(0, 0, 0)}, {Vec3(1, 0, 0)}, {Vec3(2, 0, 0)}};
+  mesh.frameTime = 1.0;
+  mesh.loop = true;
+  mesh.loopStart = 1;
+  std::vector<Vec3> positions;
+  const auto at = [&](double time) {
+    meshPositionsAt(mesh, time, positions);
+    return positions[0].x();
+  };
+  EXPECT_EQ(at(-1.0), 5.0);
+  EXPECT_EQ(at(0.5), 2.5);
+  EXPECT_EQ(at(3.0), 2.0);
+  EXPECT_EQ(at(3.5), 1.0);
+  EXPECT_EQ(at(4.0), 0.0);
+  EXPECT_EQ(at(5.5), 1.5);
+  EXPECT_EQ(at(7.0), 0.0);
+}
+
 /// Every edge has two faces in opposite directions, and the volume is positive and slightly below the true one.
 void expectClosed(const BodySurface& surface, double volume, double tolerance) {
   std::map<std::pair<int, int>, int> edges;
