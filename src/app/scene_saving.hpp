@@ -17,8 +17,11 @@ enum class Existing { Refused, Replaced };
 
 /// Writes a scene file: beside the old one, which it then replaces, so that nothing is lost when this fails. Throws
 /// InputError when the file exists and may not be replaced, or cannot be written.
-/// @param file as sceneFile() returns it  @return what the file cannot contain, one sentence each
-std::vector<text::Sentence> saveScene(const scene::Scene& scene, const scene::SceneNow& now,
-                                      const std::filesystem::path& file, Existing existing);
+/// @param file as sceneFile() returns it
+/// @param start positions of the cloths at the start [m], which get a file "NAME_start.obj" beside the scene file;
+/// empty: as in the scene
+/// @return what the file cannot contain and which other files belong to it, one sentence each
+std::vector<text::Sentence> saveScene(const scene::Scene& scene, scene::SceneNow now, const std::filesystem::path& file,
+                                      Existing existing, const std::vector<Vec3>& start = {});
 
 }  // namespace drape::app

@@ -3,6 +3,7 @@
 #include "messages/error.hpp"
 #include "messages/sim_error_text.hpp"
 #include "scene/cloth_material.hpp"
+#include "scene/cloth_start.hpp"
 #include "scene/elastic_bands.hpp"
 #include "scene/grid_mesh.hpp"
 #include "scene/mass.hpp"
@@ -114,6 +115,38 @@ void placeCloth(const ClothDescription& cloth, std::vector<Vec3>& positions) {
   }
 }
 
+/// How the coordinates of a file with the start become those of the scene.
+MeshPlacement startPlacementOf(const ClothDescription& description, const std::optional<MeshReading>& reading) {
+  const sim::contact::Pose placement = description.placement.pose();
+  if (!reading) {
+    return {.pose = placement};  // a grid has the coordinates of the scene before its placement
+  }
+  const sim::contact::Pose own = sim::contact::poseOf(description.position, description.rotation);
+  return {reading->metresPerUnit,
+          reading->up,
+          {(placement.rotation * own.rotation).normalized(), placement.toWorld(own.position)},
+          1.0};
+}
+
+/// The positions of a file with the start, before the placement of the cloth. @param source not divided
+std::vector<Vec3> startInScene(const ClothDescription& cloth, const Source& source, const io::ImportWatch& watch) {
+  const MeshPlacement inScene = startPlacementOf(cloth, source.reading);
+  const sim::contact::Pose placement = cloth.placement.pose();
+  std::vector<Vec3> start = startOfFile(*cloth.start, *source.mesh.file, source.mesh.cloth.positions.size(), watch);
+  for (Vec3& position : start) {
+    position = placement.toLocal(inScene.toScene(position));
+  }
+  return start;
+}
+
+/// Adds the middles of the edges between positions.
+void appendMiddles(std::span<const Midpoint> midpoints, std::vector<Vec3>& positions) {
+  for (const Midpoint& midpoint : midpoints) {
+    const Vec3 middle = 0.5 * (positions[midpoint.a] + positions[midpoint.b]);
+    positions.push_back(middle);
+  }
+}
+
 std::vector<Vec3> startPositions(const ClothDescription& cloth, const Source& source) {
   std::vector<Vec3> positions = source.mesh.cloth.positions;
   if (cloth.pleats && source.grid) {
@@ -193,6 +226,7 @@ ClothPart partFor(const ClothDescription& description, const Source& source, con
   if (source.reading) {
     part.placement = placementOf(description, *source.reading);
   }
+  part.startPlacement = startPlacementOf(description, source.reading);
   part.uvs.ofGrid = source.grid.has_value();
   if (!source.grid) {
     part.uvs = patternUvsOf(source.mesh.render, sized(source.mesh.cloth.positions, part.scale));
@@ -221,11 +255,19 @@ void appendPins(std::vector<PinGroup> groups, int offset, std::vector<PinGroup>&
 }
 
 void appendCloth(const ClothDescription& description, const settings::Settings& settings, Source source,
-                 JoinedCloths& joined) {
+                 const io::ImportWatch& watch, JoinedCloths& joined) {
+  std::vector<Vec3> start;
+  if (description.start) {
+    start = startInScene(description, source, watch);
+  }
   SubdividedMesh divided = subdivided(source.mesh, settings.mesh.subdivide);
   std::vector<PinGroup> pins = pinsOf(description, settings, source, divided.midpoints);
   source.mesh = std::move(divided.mesh);
-  const std::vector<Vec3> start = startPositions(description, source);
+  if (description.start) {
+    appendMiddles(divided.midpoints, start);
+  } else {
+    start = startPositions(description, source);
+  }
   placeCloth(description, source.mesh.cloth.positions);
   const ClothPart part = partFor(description, source, joined);
   appendPins(std::move(pins), part.firstVertex, joined.pins);
@@ -233,7 +275,9 @@ void appendCloth(const ClothDescription& description, const settings::Settings& 
   const std::vector<Vec3>& rest = source.mesh.cloth.positions;
   joined.mesh.positions.insert(joined.mesh.positions.end(), rest.begin(), rest.end());
   joined.unplacedStart.insert(joined.unplacedStart.end(), start.begin(), start.end());
-  const std::vector<Vec3> placed = description.placement.applied(start);
+  Placement placement = description.placement;
+  placement.scale = description.start ? 1.0 : placement.scale;  // a file with the start has its own size
+  const std::vector<Vec3> placed = placement.applied(start);
   joined.start.insert(joined.start.end(), placed.begin(), placed.end());
   appendRenderMesh(source.mesh.render, part.firstVertex, joined.renderMesh);
   addSummary(description.name, source.mesh.summary, joined.summary);
@@ -334,7 +378,7 @@ JoinedCloths joinCloths(const SceneDescription& description, const settings::Set
     if (joined.cloths.empty()) {
       first = source.mesh.summary;
     }
-    appendCloth(cloth, own, std::move(source), joined);
+    appendCloth(cloth, own, std::move(source), watch, joined);
   }
   setSize(joined, first);
   return joined;

@@ -40,6 +40,7 @@ struct ClothPart {
   std::vector<OwnSetting> own;               ///< in the order in which they are assigned
   std::shared_ptr<const io::FileMesh> file;  ///< the mesh that was opened; its particles count from `firstVertex`
   MeshPlacement placement;                   ///< of that mesh
+  MeshPlacement startPlacement;              ///< of a file with its start, which has its own size
   double scale = 1.0;                        ///< of the rest shape, by the placement of the cloth [-]
 };
 

@@ -35,6 +35,21 @@ BandDescription readBand(const TomlReader& reader) {
   return {nearest.value_or(Vec3::Zero()), *length, reader.place(), vertices};
 }
 
+/// The file with the start of a cloth.
+std::optional<MeshFileSource> readStart(const TomlReader& reader, const std::filesystem::path& folder) {
+  const std::optional<std::string> name = reader.text("start");
+  if (!name) {
+    return std::nullopt;
+  }
+  if (!io::isMeshFile(*name)) {
+    reader.fail("start must name a mesh file with the vertices of the mesh: start = \"fitted.obj\"");
+  }
+  if (reader.has("pleats")) {
+    reader.fail("a cloth has either pleats or a start");
+  }
+  return MeshFileSource{(folder / *name).string(), false, reader.place("start")};
+}
+
 /// Mesh, position, bands and pleats of a cloth. @param table "[cloth]" or "[[cloths]]", for messages
 ClothDescription readCloth(const TomlReader& reader, const std::string& table, const std::filesystem::path& folder) {
   ClothDescription cloth;
@@ -50,6 +65,7 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
   } else {
     reader.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
   }
+  cloth.start = readStart(reader, folder);
   cloth.position = reader.vector("position").value_or(Vec3::Zero());
   cloth.rotation = degree * reader.vector("rotation", manyDegrees).value_or(Vec3::Zero());
   cloth.placement = readPlacement(reader);
@@ -122,7 +138,7 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
   }
   std::vector<ClothDescription> cloths;
   if (only) {
-    only->allowOnly({"mesh", "grid", "position", "rotation", "placement", "frozen", "pleats", "bands"});
+    only->allowOnly({"mesh", "grid", "start", "position", "rotation", "placement", "frozen", "pleats", "bands"});
     cloths.push_back(readCloth(*only, "[cloth]", folder));
     readAllPins(reader, cloths.front().pins);
     return cloths;
@@ -134,8 +150,8 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
     several[maxCloths].fail(fmt::format("a scene can have at most {} cloths", maxCloths));
   }
   for (const TomlReader& table : several) {
-    table.allowOnly(
-        {"name", "mesh", "grid", "position", "rotation", "placement", "frozen", "pleats", "bands", "pins", "settings"});
+    table.allowOnly({"name", "mesh", "grid", "start", "position", "rotation", "placement", "frozen", "pleats", "bands",
+                     "pins", "settings"});
     const std::string name = nameOfCloth(table, cloths);
     ClothDescription& cloth = cloths.emplace_back(readCloth(table, "[[cloths]]", folder));
     cloth.name = name;

@@ -157,6 +157,10 @@ void writeCloth(Writing& writing, std::size_t index) {
   } else {
     toml.text("mesh", meshName(std::get<MeshFileSource>(cloth.source), writing.folder));
   }
+  const auto& start = writing.now.starts.empty() ? cloth.start : writing.now.starts.at(index);
+  if (start) {
+    toml.text("start", meshName(*start, writing.folder));
+  }
   if (!cloth.position.isZero(0.0)) {
     toml.value("position", vectorText(cloth.position));
   }

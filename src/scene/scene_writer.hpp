@@ -25,6 +25,8 @@ struct SceneNow {
   std::vector<BodyNow> bodies;                      ///< one per body of the scene, or none: they are as in the scene
   std::optional<CameraPose> camera = std::nullopt;  ///< the present view; empty: as in the scene
   std::optional<Sewing> sewing = std::nullopt;      ///< seams and elastic bands; empty: as in the scene
+  /// The files with the starts of the cloths, one per cloth; none: as in the scene.
+  std::vector<std::optional<MeshFileSource>> starts = {};
 };
 
 /// A scene as it was built, without changes.

@@ -127,6 +127,30 @@ TEST(DressingInTheWindow, ABodyThatIsDroppedOnAGarmentWearsItAfterOneClick) {
   EXPECT_EQ(pairsIn(savedCloth(viewer, "shirt-001.obj"), "mannequin.obj"), 0U);
 }
 
+TEST(DressingInTheWindow, ADressedBodyIsSavedWithItsStartAndKeepsTheRestShapeOfTheGarment) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({wardrobe.shirt(), "--paused"});
+  ASSERT_TRUE(viewer.drop({wardrobe.body()}));
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
+  viewer.click(viewer.find("button.drop.dress"));
+  viewer.waitUntil("the dressed body", isDressed);
+  viewer.key("ctrl+s");
+  viewer.waitUntil("the scene file", [](const Json& s) { return says(s, "shirt-001_start.obj"); });
+  EXPECT_EQ(pairsIn(viewer.folder() / "shirt-001_start.obj", "mannequin.obj"), 0U);
+  std::ostringstream scene;
+  scene << std::ifstream(viewer.folder() / "shirt-001.toml").rdbuf();
+  EXPECT_NE(scene.str().find("shirt.obj'"), std::string::npos) << scene.str();
+  EXPECT_NE(scene.str().find("start = 'shirt-001_start.obj'"), std::string::npos) << scene.str();
+  const auto output = viewer.folder() / "output.txt";
+  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", (viewer.folder() / "shirt-001.toml").string(),
+                                           "--seconds", "0.02", "--check-intersections", "1"},
+                               .output = output});
+  std::ostringstream text;
+  text << std::ifstream(output).rdbuf();
+  EXPECT_EQ(status, 0) << text.str();
+  EXPECT_NE(text.str().find("intersecting triangle pairs: none"), std::string::npos) << text.str();
+}
+
 TEST(DressingInTheWindow, ADroppedBodyInAnotherUnitIsPlacedMovedAndThenDressed) {
   const Wardrobe wardrobe;
   ViewerDriver viewer({wardrobe.shirt(), "--paused"});

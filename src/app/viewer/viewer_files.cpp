@@ -101,12 +101,9 @@ void Viewer::on(const ui::SaveSceneRequest& request, const session::Snapshot& sn
     text::Sentence notice("Saved {}", file.string());
     scene::SceneNow now = sceneNow(state, snapshot);
     now.camera = controller_.viewForScene();
-    for (const text::Sentence& note : saveScene(*snapshot.scene, now, file, Existing::Replaced)) {
+    for (const text::Sentence& note : saveScene(*snapshot.scene, std::move(now), file, Existing::Replaced,
+                                                snapshot.placedStart ? *snapshot.placedStart : std::vector<Vec3>())) {
       notice.append(". ", note);
-    }
-    if (snapshot.placedStart) {
-      notice.append(". ",
-                    text::Sentence("It starts with the garment as its mesh file has it; press Dress there again"));
     }
     savedFile_ = file;
     savedState_ = state;
