@@ -1,14 +1,18 @@
 #include "scene/garment_on_body.hpp"
 
+#include "io/animation_import.hpp"
 #include "messages/error.hpp"
 #include "scene/found_mesh.hpp"
 #include "scene/mesh_file.hpp"
 #include "scene/opened_mesh.hpp"
+#include "scene/unit_guess.hpp"
+#include "text/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace drape::scene {
 namespace {
@@ -40,6 +44,7 @@ SceneDescription openGarment(const std::string& garment, const settings::OwnFabr
   }
   SceneDescription scene;
   scene.name = garment.substr(builtinPrefix.size());
+  scene.title = scene.name;
   scene.cloth().source = MeshFileSource{scene.name, true};
   scene.settings = openedMeshSettings();
   scene.settings.fabric.own = own;
@@ -53,6 +58,12 @@ SceneDescription openGarment(const std::string& garment, const settings::OwnFabr
 bool isInMetres(const ReadingChoice& choice) {
   const ReadingChoice open;
   return (choice.unit == open.unit || choice.unit == "m") && (choice.up == open.up || choice.up == "y");
+}
+
+/// The ending of a file name in lower case, without the dot.
+std::string formatOf(const std::string& file) {
+  const std::string ending = text::lowerCase(std::filesystem::path(file).extension().string());
+  return ending.empty() ? "" : ending.substr(1);
 }
 
 bool isBuiltInBody(const std::string& body) {
@@ -79,7 +90,9 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
   description.body.motion.keyframes = {sim::contact::Keyframe{}};
   const bool isBuiltIn = isBuiltInBody(body);
   if (!isBuiltIn && !io::isMeshFile(body)) {
-    throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure");
+    const std::string format = formatOf(body);
+    throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure" +
+                               (format == "fbx" || format == "dae" ? ", or the name of a clip in it (--clip)" : ""));
   }
   if (isBuiltIn && !isInMetres(choice)) {
     throw messages::InputError("the body " + body +
@@ -97,10 +110,32 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
   return description;
 }
 
+BodyDescription animatedBodyOfFile(const std::string& body, const std::string& clip, const ReadingChoice& choice) {
+  const std::string format = formatOf(body);
+  const std::vector<std::string> formats = io::animationFormats();
+  if (isBuiltInBody(body) || std::ranges::find(formats, format) == formats.end()) {
+    throw messages::InputError(
+        "the body '" + body +
+        "' has no clips; give a file in the format .glb, .gltf, .fbx or .dae, or leave --clip out");
+  }
+  const bool isGltf = format == "glb" || format == "gltf";
+  if (choice.up != ReadingChoice().up || (choice.unit != ReadingChoice().unit && !isGltf)) {
+    throw messages::InputError(body + " states its unit and its up axis; leave --body-unit and --body-up out");
+  }
+  BodyDescription description;
+  description.body.name = std::filesystem::path(body).stem().string();
+  description.body.motion.keyframes = {sim::contact::Keyframe{}};
+  description.meshes = {MeshFileSource{body}};
+  description.animation = AnimationSource{clip, AnimationSource{}.rate, figure::blendTime};
+  description.frameLoop = true;
+  description.scale = choice.unit == ReadingChoice().unit ? 1.0 : metresPerUnit(choice.unit);
+  return description;
+}
+
 SceneDescription openGarmentOnBody(const std::string& garment, const std::string& body, const settings::OwnFabrics& own,
-                                   const ReadingChoice& bodyReading) {
+                                   const ReadingChoice& bodyReading, const std::optional<std::string>& clip) {
   SceneDescription scene = openGarment(garment, own);
-  scene.bodies = {bodyOfFile(body, scene.settings, bodyReading)};
+  scene.bodies = {clip ? animatedBodyOfFile(body, *clip, bodyReading) : bodyOfFile(body, scene.settings, bodyReading)};
   scene.settings.mesh.pins = "none";
   scene.groundBelowCloth = false;
   scene.ground.reset();

@@ -1,9 +1,12 @@
+#include "animation_files.hpp"
 #include "program.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -33,6 +36,23 @@ std::string boxFile(const std::filesystem::path& file, double side, bool open) {
   }
   text << "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\nf 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\n";
   text << (open ? "" : "f 2 4 8\nf 2 8 6\n");
+  return file.string();
+}
+
+/// A tube around the vertical through (0.5, 0, 0.5) as an OBJ file.
+std::string tubeFile(const std::filesystem::path& file, double radius, double bottom, double top) {
+  constexpr int around = 24;
+  std::ofstream text(file);
+  for (int k = 0; k < 2 * around; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / around;
+    text << "v " << 0.5 + radius * std::cos(angle) << ' ' << (k < around ? bottom : top) << ' '
+         << 0.5 + radius * std::sin(angle) << '\n';
+  }
+  for (int k = 0; k < around; ++k) {
+    const int next = (k + 1) % around;
+    text << "f " << k + 1 << ' ' << k + 1 + around << ' ' << next + 1 << '\n';
+    text << "f " << next + 1 << ' ' << k + 1 + around << ' ' << next + 1 + around << '\n';
+  }
   return file.string();
 }
 
@@ -71,8 +91,36 @@ TEST(Dress, writesAGarmentThatFitsTheFileAndSimulatesOnTheBody) {
   EXPECT_EQ(linesOf(output, "v").size(), linesOf(assets + "tshirt.obj", "v").size());
   EXPECT_EQ(linesOf(output, "vt").size(), linesOf(assets + "tshirt.obj", "vt").size());
   EXPECT_EQ(linesOf(output, "f").size(), linesOf(assets + "tshirt.obj", "f").size());
+  const std::string text = readFile(scene);
+  EXPECT_NE(text.find("title = 'tshirt.obj'"), std::string::npos) << text;
+  EXPECT_NE(text.find("mesh = 'builtin:tshirt.obj'"), std::string::npos) << text;  // the rest shape
+  EXPECT_NE(text.find("start = 'fitted.obj'"), std::string::npos) << text;
   const Outcome run = headless("run " + scene.string() + " --seconds 0.1 --check-intersections 1");
   EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
+}
+
+TEST(Dress, fitsTheGarmentToTheBindPoseOfAFigureThatAClipMovesAfterwards) {
+  const auto folder = testFolder();
+  io::BarFile bar;
+  bar.isSolid = true;
+  bar.upperPose = R"(,"rotation":[0,0,0.70710678,0.70710678])";
+  std::ofstream(folder / "bar.gltf") << bar.text();
+  const std::string tube = tubeFile(folder / "tube.obj", 0.68, 0.1, 0.9);
+  const std::string scene = (folder / "fitted.toml").string();
+  const std::string arguments = tube + " " + (folder / "bar.gltf").string() + " --place file --set unit=m --set up=y" +
+                                " --output " + (folder / "fitted.obj").string() + " --scene " + scene;
+  EXPECT_NE(failure(arguments + " --clip jump").find("Choose one of 'bend', 'still'"), std::string::npos);
+  EXPECT_NE(failure(arguments + " --clip bend --body-up z").find("leave --body-unit and --body-up out"),
+            std::string::npos);
+  const Outcome outcome = headless("dress " + arguments + " --clip bend");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_NE(readFile(scene).find("animation = { clip = 'bend', rate = 60, loop = true, blend = 1 }"), std::string::npos)
+      << readFile(scene);
+  const Outcome run = headless("run " + scene + " --seconds 1.5 --check-intersections 5");
+  EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
+  EXPECT_NE(failure("builtin:tshirt.obj mannequin --clip walk --output " + (folder / "shirt.obj").string())
+                .find("'mannequin' has no clips"),
+            std::string::npos);
 }
 
 TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
@@ -98,8 +146,8 @@ TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
     }
   }
   const auto output = folder / "fitted.obj";
-  const Outcome outcome =
-      headless("dress " + garment.string() + " mannequin --scale 1.1 --set up=y --output " + output.string());
+  const Outcome outcome = headless("dress " + garment.string() + " mannequin --scale 1.1 --set up=y --output " +
+                                   output.string() + " --scene " + (folder / "fitted.toml").string());
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   double low = 1e9;
   double high = -1e9;
@@ -112,6 +160,8 @@ TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
     high = std::max(high, y);
   }
   EXPECT_NEAR(high - low, 110.0 * 0.902, 3.0);  // the cape is 0.902 m tall
+  const Outcome run = headless("run " + (folder / "fitted.toml").string() + " --seconds 0.02 --check-intersections 1");
+  EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
 }
 
 TEST(Dress, readsTheBodyInItsOwnUnitAndTellsWhatItFound) {
@@ -162,7 +212,7 @@ TEST(Dress, saysWhatIsWrongWithBadInput) {
   const std::string shirt = assets + "tshirt.obj";
   const std::string to = " --output " + (folder / "out.obj").string();
   const std::string open = boxFile(folder / "open.obj", 1.0, true);
-  EXPECT_NE(failure(shirt + " " + open + to).find("the body has holes"), std::string::npos);
+  EXPECT_NE(failure(shirt + " " + open + to).find("the body has holes that are too large"), std::string::npos);
   const std::string box = boxFile(folder / "box.obj", 1.0, false);
   EXPECT_NE(failure(shirt + " " + box + " --set unit=66" + to).find("cannot be worn"), std::string::npos);
   EXPECT_NE(failure(shirt + " " + (folder / "none.obj").string() + to).find("no such file"), std::string::npos);
@@ -201,6 +251,9 @@ TEST(Dress, refusesOptionsOutOfRange) {
        {"--move 0 0 11", "--move 0 0", "--turn 400", "--scale 0", "--place best", "--max-seconds -1"}) {
     EXPECT_EQ(headless(start + options).status, 2) << options;
   }
+  const Outcome outcome = headless("dress builtin:tshirt.obj mannequin --output x.glb --scene x.toml");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.errors.find("a scene needs the garment as an OBJ file"), std::string::npos) << outcome.errors;
 }
 
 }  // namespace

@@ -40,14 +40,15 @@ void writeGarment(scene::Scene scene, const Dressed& result, const DressArgument
   exportFrame(scene, *scene.model, result.positions, arguments.output);
 }
 
-/// A scene of the fitted garment, whose unit and axes are known now.
+/// A scene of the garment, whose unit and axes are known now. It starts where it was fitted.
 void writeScene(const scene::Scene& scene, const DressArguments& arguments) {
-  scene::SceneDescription fitted =
-      scene::openGarmentOnBody(arguments.output, arguments.choices.body, {}, arguments.choices.bodyReading);
+  scene::SceneDescription fitted = arguments.choices.description(arguments.choices.garment);
+  fitted.cloth().start = scene::MeshFileSource{arguments.output};
   fitted.bodies.front().meshes = scene.description.bodies.front().meshes;
   settings::Settings settings = scene.settings;
   const scene::MeshPlacement& placement = scene.cloths.front().placement;
   settings.mesh.unit = scene::wordForUnit(placement.metresPerUnit / arguments.choices.scale);
+  fitted.cloth().placement.scale = arguments.choices.scale;
   settings.mesh.up = placement.up;
   const auto built = scene::buildScene(fitted, settings);
   for (const text::Sentence& note :
@@ -104,13 +105,18 @@ void DressArguments::run() const {
   requireNewFile(output, "the garment");
   if (!sceneOutput.empty()) {
     requireNewFile(sceneFile(sceneOutput), "the scene");
+    if (!output.ends_with(".obj")) {
+      throw messages::UsageError(output + ": a scene needs the garment as an OBJ file; end --output in .obj");
+    }
   }
   const auto scene = choices.open(settings);
   const bool isBuiltIn = scene::isBuiltInWear(choices.garment);
   printFound(choices.garment,
              isBuiltIn ? scene::ReadingChoice() : garmentReading(scene->description.settings, settings.settings),
              io::MeshUse::Cloth);
-  printFound(choices.body, choices.bodyReading, io::MeshUse::Body);
+  if (!choices.clip) {
+    printFound(choices.body, choices.bodyReading, io::MeshUse::Body);
+  }
   const sim::ClothMesh body = dressing::bodiesAtStart(*scene).front().mesh;
   requireDressable({choices.garment, choices.body}, {scene->start.positions, scene->model->triangles}, body);
   const Dressed result = dressed(*scene, body, choices);

@@ -2,6 +2,7 @@
 
 #include "messages/error.hpp"
 #include "scene/garment_on_body.hpp"
+#include "scene/placement.hpp"
 #include "settings/settings_table.hpp"
 
 #include <map>
@@ -43,10 +44,14 @@ void DressingChoices::addTo(CLI::App& app) {
       ->type_name("GARMENT")
       ->required()
       ->check(notEmpty());
-  app.add_option("body", body, "The body, a closed mesh file, or one of mannequin, figure")
+  app.add_option("body", body, "The body, a mesh file, or one of mannequin, figure")
       ->type_name("BODY")
       ->required()
       ->check(notEmpty());
+  app.add_option(
+         "--clip", clip,
+         "A clip in the file of the body moves it afterwards, from the pose of its mesh within 1 s; '': the only one")
+      ->type_name("NAME");
   app.add_option("--place", rule,
                  "auto: as in the files if the body is inside the garment there, else by landmarks, else by boxes; "
                  "file; landmarks: neck, sleeves and waist; boxes")
@@ -58,7 +63,8 @@ void DressingChoices::addTo(CLI::App& app) {
       ->check(numberFrom(-maxMove, maxMove));
   app.add_option("--turn", turn, "Turn the garment about the vertical after the placement [degrees]")
       ->check(numberFrom(-fullTurn, fullTurn));
-  app.add_option("--scale", scale, "A factor on all lengths of the garment")->check(numberFrom(0.001, 1000.0));
+  app.add_option("--scale", scale, "A factor on all lengths of the garment")
+      ->check(numberFrom(scene::minPlacementScale, scene::maxPlacementScale));
   app.add_option("--body-unit", bodyReading.unit,
                  "The unit of the body's file, as the setting unit is that of the garment: auto, m, dm, cm, mm, inch, "
                  "foot, or metres per unit")
@@ -74,10 +80,14 @@ void DressingChoices::addTo(CLI::App& app) {
       ->check(numberFrom(0.0, 1000.0));
 }
 
+scene::SceneDescription DressingChoices::description(const std::string& wear, const settings::OwnFabrics& own) const {
+  return scene::openGarmentOnBody(wear, body, own, bodyReading, clip);
+}
+
 std::shared_ptr<const scene::Scene> DressingChoices::open(const SceneArguments& arguments,
                                                           const settings::OwnFabrics& own) const {
-  const scene::SceneDescription description = scene::openGarmentOnBody(garment, body, own, bodyReading);
-  auto scene = arguments.build(description);
+  const scene::SceneDescription described = description(garment, own);
+  auto scene = arguments.build(described);
   if (scale == 1.0) {
     return scene;
   }
@@ -85,7 +95,7 @@ std::shared_ptr<const scene::Scene> DressingChoices::open(const SceneArguments& 
   const double unit = scale * scene->cloths.front().placement.metresPerUnit;
   scaled.settings.push_back("unit=" + settings::formatValue(unit));
   scaled.settings.push_back("up=" + scene->cloths.front().placement.up);
-  return scaled.build(description);
+  return scaled.build(described);
 }
 
 dressing::DressingOptions DressingChoices::options(const settings::Settings& settings) const {

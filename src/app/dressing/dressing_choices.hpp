@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace drape::app {
 struct DressingChoices {
   std::string garment;               ///< a mesh file, or "builtin:tshirt.obj"
   std::string body;                  ///< a mesh file, "mannequin" or "figure"
+  std::optional<std::string> clip;   ///< of the body's file, which moves the body; empty: the only one; absent: none
   std::string rule = "auto";         ///< of the placement
   std::vector<double> move;          ///< x, y, z [m]; empty: none
   double turn = 0.0;                 ///< about the vertical [degrees]
@@ -23,6 +25,10 @@ struct DressingChoices {
   double maxSeconds = 4.0;           ///< of the simulation after the body has its full size [s]
 
   void addTo(CLI::App& app);
+
+  /// The scene of a garment and the body, which moves if there is a clip. @param wear a garment as in `garment`
+  [[nodiscard]] scene::SceneDescription description(const std::string& wear,
+                                                    const settings::OwnFabrics& own = {}) const;
 
   /// Builds the scene of garment and body. A garment that is scaled has another unit there. Throws InputError.
   /// @param arguments settings; its scene is not used  @param own the user's fabrics
