@@ -254,8 +254,7 @@ void writeBodies(Writing& writing) {
       body.figure = now.figure && body.figure ? now.figure : body.figure;
       shift(now.shift, body);
       if (!now.on) {
-        writing.result.notes.push_back(
-            text::Sentence("A scene file cannot say that {} is switched off", body.body.name));
+        writing.result.notes.emplace_back("A scene file cannot say that {} is switched off", body.body.name);
       }
     }
     writeBody(body, writing.folder, writing.toml);
@@ -314,7 +313,7 @@ WrittenScene writeScene(const Scene& scene, const SceneNow& now, const std::file
   settings::Settings target = now.settings;
   if (writing.hasOwnPins()) {
     target.mesh.pins = "scene";
-    result.notes.push_back(text::Sentence("Pins are where the cloth starts, not where you set them"));
+    result.notes.emplace_back("Pins are where the cloth starts, not where you set them");
   }
   const auto textWith = [&](const std::vector<const settings::SettingInfo*>& written) {
     return document + '\n' + settingsText(target, written);

@@ -4,6 +4,8 @@
 #include "render/renderer.hpp"
 #include "ui/user_interface.hpp"
 
+#include <utility>
+
 namespace drape::app {
 
 /// Draws the pictures of a film beside the window, in the OpenGL context of the window.
@@ -11,8 +13,8 @@ class FilmPainter {
  public:
   /// @param width, height of the pictures [pixels]
   /// @param turns whether the camera turns once around the cloth
-  FilmPainter(const render::Camera& camera, int width, int height, bool turns)
-      : camera_(camera), width_(width), height_(height), turns_(turns) {}
+  FilmPainter(render::Camera camera, int width, int height, bool turns)
+      : camera_(std::move(camera)), width_(width), height_(height), turns_(turns) {}
 
   /// Draws a snapshot at that share of the film, 0 to 1, with the legend of its colour map. Call it between two frames
   /// of the window.
