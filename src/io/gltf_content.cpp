@@ -3,6 +3,7 @@
 #include "io/quoted_text.hpp"
 #include "messages/error.hpp"
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -74,6 +75,69 @@ struct Numbers {
   const char* data = nullptr;  ///< empty when they are not in one piece
   std::uint64_t count = 0;
   std::uint64_t stride = 0;
+};
+
+using GltfMatrix = Eigen::Matrix4d;
+
+GltfMatrix matrixOf(const Json& node) {
+  GltfMatrix matrix = GltfMatrix::Identity();
+  const auto number = [&](const char* key, std::size_t i) { return node[key][i].get<double>(); };
+  if (node.contains("matrix")) {
+    for (std::size_t i = 0; i < 16; ++i) {
+      matrix.data()[i] = number("matrix", i);
+    }
+    return matrix;
+  }
+  Eigen::Affine3d place = Eigen::Affine3d::Identity();
+  if (node.contains("translation")) {
+    place.translate(Eigen::Vector3d(number("translation", 0), number("translation", 1), number("translation", 2)));
+  }
+  if (node.contains("rotation")) {
+    place.rotate(
+        Eigen::Quaterniond(number("rotation", 3), number("rotation", 0), number("rotation", 1), number("rotation", 2)));
+  }
+  if (node.contains("scale")) {
+    place.scale(Eigen::Vector3d(number("scale", 0), number("scale", 1), number("scale", 2)));
+  }
+  return place.matrix();
+}
+
+Json numbersOf(const GltfMatrix& matrix) {
+  return std::vector<double>(matrix.data(), matrix.data() + matrix.size());
+}
+
+/// The places of the nodes in the scene.
+class GltfPlaces {
+ public:
+  /// @param nodes trees, whose placements were checked
+  explicit GltfPlaces(const Json& nodes) : nodes_(nodes), parents_(nodes.size(), nodes.size()) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (const Json& child : nodes[i].value("children", Json::array())) {
+        parents_[child.get<std::size_t>()] = i;
+      }
+    }
+  }
+
+  /// The number of nodes above this one.
+  [[nodiscard]] std::size_t depthOf(std::size_t node) const {
+    std::size_t depth = 0;
+    for (std::size_t above = parents_[node]; above < parents_.size(); above = parents_[above]) {
+      ++depth;
+    }
+    return depth;
+  }
+
+  [[nodiscard]] GltfMatrix of(std::size_t node) const {
+    GltfMatrix place = matrixOf(nodes_[node]);
+    for (std::size_t above = parents_[node]; above < parents_.size(); above = parents_[above]) {
+      place = matrixOf(nodes_[above]) * place;
+    }
+    return place;
+  }
+
+ private:
+  const Json& nodes_;
+  std::vector<std::size_t> parents_;  // the number of nodes: none
 };
 
 class PartsCollector {
@@ -361,6 +425,7 @@ class PartsCollector {
     if (!hasMesh_) {
       throw messages::InputError("no node of its scene uses a mesh. Export the mesh again.");
     }
+    placeSkinnedMeshes(roots);
     parts_["scene"] = 0;
     parts_["scenes"] = Json::array({Json{{"nodes", std::move(roots)}}});
   }
@@ -389,6 +454,67 @@ class PartsCollector {
     }
     parts_["nodes"][index] = std::move(kept);
     return index;
+  }
+
+  /// Section 3.7.3.3: the transform of a node with a skin is ignored; its joints place the mesh. A node that is
+  /// elsewhere loses its mesh to a node of its own. Its skin may be damaged; then the node decides.
+  void placeSkinnedMeshes(Json& roots) {
+    constexpr double largestDifference = 0.6;  // of a matrix: that of a rotation by 45 degrees
+    const GltfPlaces places(parts_["nodes"]);
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      Json& node = parts_["nodes"][i];
+      const std::optional<GltfMatrix> bySkin = seen_[i] ? placeBySkin(list("nodes")[i], places) : std::nullopt;
+      if (!bySkin) {
+        continue;
+      }
+      const Eigen::Matrix3d byNode = places.of(i).topLeftCorner<3, 3>();
+      if ((bySkin->topLeftCorner<3, 3>() - byNode).norm() > largestDifference * byNode.norm()) {
+        roots.push_back(parts_["nodes"].size());
+        parts_["nodes"].push_back(Json{{"mesh", node["mesh"]}, {"matrix", numbersOf(*bySkin)}});
+        parts_["nodes"][i].erase("mesh");
+      }
+    }
+  }
+
+  /// The index of the joint that is nearest to the root of the scene. @param name of the skin
+  [[nodiscard]] std::size_t rootOf(const Json& joints, const GltfPlaces& places, const std::string& name) const {
+    std::vector<std::size_t> depths;
+    for (const Json& joint : joints) {
+      const std::uint64_t node = wholeNumber(joint, name + ".joints");
+      if (node >= seen_.size() || !seen_[node]) {
+        fail(name + " has a joint that is not in the scene");
+      }
+      depths.push_back(places.depthOf(node));
+    }
+    return static_cast<std::size_t>(std::ranges::min_element(depths) - depths.begin());
+  }
+
+  /// Where the root of its joints places a mesh in the pose in which it was modelled.
+  std::optional<GltfMatrix> placeBySkin(const Json& node, const GltfPlaces& places) {
+    try {
+      const auto skin = numberOf(node, "skin", "node");
+      if (!skin || !node.contains("mesh")) {
+        return std::nullopt;
+      }
+      const std::string name = element("skins", *skin);
+      const Json& described = get("skins", *skin, name);
+      const Json& joints = listOf(described, "joints", name + ".");
+      const auto binds = numberOf(described, "inverseBindMatrices", name);
+      if (joints.empty() || !binds) {
+        return std::nullopt;
+      }
+      const std::size_t root = rootOf(joints, places, name);
+      const Numbers numbers = addAccessor(*binds, sizeof(Eigen::Matrix4f));
+      if (numbers.data == nullptr || root >= numbers.count) {
+        return std::nullopt;
+      }
+      Eigen::Matrix4f inverseBind;
+      std::memcpy(inverseBind.data(), numbers.data + root * numbers.stride, sizeof(inverseBind));
+      const GltfMatrix place = places.of(joints[root].get<std::size_t>()) * inverseBind.cast<double>();
+      return place.allFinite() ? std::optional(place) : std::nullopt;
+    } catch (const messages::InputError&) {
+      return std::nullopt;
+    }
   }
 
   static Json placementOf(const Json& node, const std::string& name) {

@@ -7,7 +7,8 @@
 namespace drape::io {
 
 /// The parts of a glTF document that a mesh is made of: the nodes of its scene, and the positions, first texture
-/// coordinates and indices of its meshes. Damage in all other parts (materials, skins, animations) does no harm then.
+/// coordinates and indices of its meshes. A mesh with a skin is where its joints place it. Damage in all other parts
+/// (materials, skins, animations) does no harm then.
 /// `buffers` are the contents of the document's buffers. Throws InputError, with the place, when a part is missing, is
 /// of another kind than it should be, or points beyond the data. The parsing library crashes or stalls on some
 /// such files, leaves faces out of others without a message, and describes the cause in internal terms.

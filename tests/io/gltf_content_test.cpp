@@ -56,6 +56,47 @@ TEST(GltfContent, keepsOnlyWhatAMeshIsMadeOf) {
   EXPECT_EQ(parts["meshes"][0]["primitives"][0].dump(), R"({"attributes":{"POSITION":0},"indices":1})");
 }
 
+/// The triangle with a skin of one joint, and a node that makes it 100 times as large.
+Json skinnedTriangle() {
+  Json document = triangle();
+  document["nodes"] = Json::parse(R"([{"mesh":0,"skin":0,"scale":[100,100,100]},{"children":[2]},
+                                      {"translation":[0,2,0]}])");
+  document["scenes"][0]["nodes"] = {0, 1};
+  document["skins"] = Json::parse(R"([{"joints":[2],"inverseBindMatrices":2}])");
+  document["accessors"].push_back(Json::parse(R"({"bufferView":2,"componentType":5126,"count":1,"type":"MAT4"})"));
+  document["bufferViews"].push_back(Json::parse(R"({"buffer":0,"byteOffset":44,"byteLength":64})"));
+  return document;
+}
+
+std::vector<std::string> bufferWithBind() {
+  std::vector<std::string> buffers = bufferWith(2, 0.0F);
+  const std::array<float, 16> inverseBind{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -2, 0, 1};
+  buffers[0].resize(44 + sizeof(inverseBind), '\0');
+  std::memcpy(buffers[0].data() + 44, inverseBind.data(), sizeof(inverseBind));
+  return buffers;
+}
+
+TEST(GltfContent, placesASkinnedMeshWhereItsJointsDoAndIgnoresItsNode) {
+  const Json document = Json::parse(skinnedTriangle().dump());
+  const Json parts = meshPartsOf(document, bufferWithBind());
+  EXPECT_FALSE(parts["nodes"][0].contains("mesh"));
+  ASSERT_EQ(parts["nodes"].size(), 4U);
+  EXPECT_EQ(parts["nodes"][3]["mesh"], 0);
+  EXPECT_EQ(parts["nodes"][3]["matrix"], Json::parse("[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]"));
+  EXPECT_EQ(parts["scenes"][0]["nodes"], Json::parse("[0,1,3]"));
+}
+
+TEST(GltfContent, leavesASkinnedMeshAtItsNodeWhereBothAgreeOrTheSkinIsDamaged) {
+  Json document = skinnedTriangle();
+  document["nodes"][0].erase("scale");
+  EXPECT_EQ(meshPartsOf(Json::parse(document.dump()), bufferWithBind())["nodes"][0]["mesh"], 0);
+  for (const char* damage : {"/skins/0/joints/0", "/skins/0/inverseBindMatrices", "/accessors/2/bufferView"}) {
+    document = skinnedTriangle();
+    document[Json::json_pointer(damage)] = 77;
+    EXPECT_EQ(meshPartsOf(Json::parse(document.dump()), bufferWithBind())["nodes"][0]["mesh"], 0) << damage;
+  }
+}
+
 TEST(GltfContent, refusesMissingCornersAndBadCoordinates) {
   EXPECT_TRUE(contains(problemOf(triangle(), 3), "a face uses vertex 3, and its mesh has only 3"));
   EXPECT_TRUE(contains(problemOf(triangle(), 2, NAN), "vertex 2 of meshes[0].primitives[0] has a coordinate"));
