@@ -2,10 +2,13 @@
 #include "program.hpp"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <numbers>
 #include <sstream>
 #include <string>
@@ -52,6 +55,27 @@ std::string tubeFile(const std::filesystem::path& file, double radius, double bo
     const int next = (k + 1) % around;
     text << "f " << k + 1 << ' ' << k + 1 + around << ' ' << next + 1 << '\n';
     text << "f " << next + 1 << ' ' << k + 1 + around << ' ' << next + 1 + around << '\n';
+  }
+  return file.string();
+}
+
+/// A mesh of the tree whose vertices are moved, without its texture coordinates, as an OBJ file.
+std::string movedMesh(const std::filesystem::path& file, const std::string& mesh,
+                      const std::function<Eigen::Vector3d(const Eigen::Vector3d&)>& move) {
+  std::ofstream text(file);
+  for (const std::string& line : linesOf(assets + mesh, "v")) {
+    std::istringstream words(line.substr(2));
+    Eigen::Vector3d point;
+    words >> point.x() >> point.y() >> point.z();
+    text << "v " << move(point).transpose() << '\n';
+  }
+  for (const std::string& line : linesOf(assets + mesh, "f")) {
+    std::istringstream words(line.substr(2));
+    text << 'f';
+    for (std::string word; words >> word;) {
+      text << ' ' << word.substr(0, word.find('/'));
+    }
+    text << '\n';
   }
   return file.string();
 }
@@ -125,28 +149,10 @@ TEST(Dress, fitsTheGarmentToTheBindPoseOfAFigureThatAClipMovesAfterwards) {
 
 TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
   const auto folder = testFolder();
-  const auto garment = folder / "centimetres.obj";
-  {
-    std::ofstream text(garment);
-    for (const std::string& line : linesOf(assets + "cape.obj", "v")) {
-      std::istringstream words(line.substr(2));
-      double x = 0.0;
-      double y = 0.0;
-      double z = 0.0;
-      words >> x >> y >> z;
-      text << "v " << 100.0 * x << ' ' << 100.0 * y << ' ' << 100.0 * z << '\n';
-    }
-    for (const std::string& line : linesOf(assets + "cape.obj", "f")) {
-      std::istringstream words(line.substr(2));
-      text << 'f';
-      for (std::string word; words >> word;) {
-        text << ' ' << word.substr(0, word.find('/'));
-      }
-      text << '\n';
-    }
-  }
+  const std::string garment = movedMesh(folder / "centimetres.obj", "cape.obj",
+                                        [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return 100.0 * p; });
   const auto output = folder / "fitted.obj";
-  const Outcome outcome = headless("dress " + garment.string() + " mannequin --scale 1.1 --set up=y --output " +
+  const Outcome outcome = headless("dress " + garment + " mannequin --scale 1.1 --set up=y --output " +
                                    output.string() + " --scene " + (folder / "fitted.toml").string());
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   double low = 1e9;
@@ -166,26 +172,9 @@ TEST(Dress, keepsTheUnitOfTheFileWhereTheGarmentIsScaled) {
 
 TEST(Dress, readsTheBodyInItsOwnUnitAndTellsWhatItFound) {
   const auto folder = testFolder();
-  const std::string body = (folder / "body.obj").string();
-  {
-    std::ofstream text(body);
-    for (const std::string& line : linesOf(assets + "mannequin.obj", "v")) {
-      std::istringstream words(line.substr(2));
-      double x = 0.0;
-      double y = 0.0;
-      double z = 0.0;
-      words >> x >> y >> z;
-      text << "v " << x / 0.0254 << ' ' << -z / 0.0254 << ' ' << y / 0.0254 << '\n';
-    }
-    for (const std::string& line : linesOf(assets + "mannequin.obj", "f")) {
-      std::istringstream words(line.substr(2));
-      text << 'f';
-      for (std::string word; words >> word;) {
-        text << ' ' << word.substr(0, word.find('/'));
-      }
-      text << '\n';
-    }
-  }
+  const std::string body = movedMesh(
+      folder / "body.obj", "mannequin.obj",
+      [](const Eigen::Vector3d& p) -> Eigen::Vector3d { return Eigen::Vector3d(p.x(), -p.z(), p.y()) / 0.0254; });
   const auto scene = folder / "fitted.toml";
   const std::string arguments = "dress builtin:tshirt.obj " + body + " --output ";
   const Outcome outcome = headless(arguments + (folder / "fitted.obj").string() + " --scene " + scene.string());

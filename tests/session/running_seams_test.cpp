@@ -15,32 +15,6 @@
 namespace drape::session {
 namespace {
 
-/// Two sheets without a seam. The first one hangs from its upper corners.
-constexpr const char* apart = R"(
-[[cloths]]
-name = "front"
-grid = "vertical"
-position = [0, 1, 0.1]
-pins = { corners = ["top_left", "top_right"] }
-
-[[cloths]]
-name = "back"
-grid = "vertical"
-position = [0, 1, -0.1]
-rotation = [0, 180, 0]
-%
-
-[settings]
-grid.resolution = 9
-grid.width = 0.4
-grid.height = 0.4
-material.model = "fabric"
-material.preset = "cotton"
-self_collision = "exact"
-time_step = "1/300"
-timeline.memory = 100
-)";
-
 constexpr const char* sideSeam = R"(
 [[seams]]
 from = { cloth = "front", vertices = [0, 36, 72] }
@@ -50,11 +24,13 @@ to = { cloth = "back", vertices = [8, 44, 80] }
 /// The pins of the second sheet along the side that is not sewn.
 constexpr const char* pinnedSide = "pins = { edges = [\"left\"] }";
 
-/// The sheets with these lines in the place of the %, and these tables.
+/// Two sheets without a seam, with these keys of the second one.
+std::string apart(const std::string& lines) {
+  return testing::twoSheets(lines) + "timeline.memory = 100\n";
+}
+
 std::shared_ptr<const scene::Scene> sheets(const std::string& lines = pinnedSide, const std::string& tables = "") {
-  std::string text = apart;
-  text.replace(text.find('%'), 1, lines);
-  return testing::sceneFrom(text + tables);
+  return testing::sceneFrom(apart(lines) + tables);
 }
 
 /// Adds a seam along a side of both sheets.
@@ -281,8 +257,7 @@ constexpr const char* fabric = "\"fabric\"\nmaterial.preset = \"cotton\"";
 class RunningBands : public ::testing::TestWithParam<const char*> {
  protected:
   static std::shared_ptr<const scene::Scene> sheetsOf(const std::string& lines = "") {
-    std::string text = apart;
-    text.replace(text.find('%'), 1, lines);
+    std::string text = apart(lines);
     text.replace(text.find(fabric), std::string(fabric).size(), GetParam());
     return testing::sceneFrom(text);
   }

@@ -13,19 +13,8 @@ namespace drape::session {
 namespace {
 
 /// Two sheets that hang from the upper corners of the first one, with a seam along two sides.
-constexpr const char* twoPieces = R"(
-[[cloths]]
-name = "front"
-grid = "vertical"
-position = [0, 1, 0.1]
-pins = { corners = ["top_left", "top_right"] }
-
-[[cloths]]
-name = "back"
-grid = "vertical"
-position = [0, 1, -0.1]
-rotation = [0, 180, 0]
-
+std::string twoPieces() {
+  return testing::twoSheets(R"(
 [[seams]]
 from = { cloth = "front", vertices = [0, 72] }
 to = { cloth = "back", vertices = [8, 80] }
@@ -35,18 +24,10 @@ duration = 0.3
 from = { cloth = "front", vertices = [8, 80] }
 to = { cloth = "back", vertices = [0, 72] }
 duration = 0.5
+)");
+}
 
-[settings]
-grid.resolution = 9
-grid.width = 0.4
-grid.height = 0.4
-material.model = "fabric"
-material.preset = "cotton"
-self_collision = "exact"
-time_step = "1/300"
-)";
-
-std::shared_ptr<const scene::Scene> built(const std::string& text = twoPieces) {
+std::shared_ptr<const scene::Scene> built(const std::string& text = twoPieces()) {
   return testing::sceneFrom(text);
 }
 
@@ -113,7 +94,7 @@ TEST(Sewing, continuesFromACheckpointToTheSameBits) {
 }
 
 TEST(Sewing, goesBackToTheTimeBeforeAWeld) {
-  auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
+  auto description = scene::parseScene(twoPieces(), "test", "test.toml", std::filesystem::current_path());
   description.settings.timeline.memory = 100.0;
   Simulation simulation(scene::buildScene(description, description.settings));
   testing::takeSteps(simulation, 250);
@@ -149,7 +130,7 @@ TEST(Sewing, keepsTheWeldsWhenTheFabricChanges) {
 }
 
 TEST(Sewing, weldsTheGhostAtItsOwnTime) {
-  auto description = scene::parseScene(twoPieces, "test", "test.toml", std::filesystem::current_path());
+  auto description = scene::parseScene(twoPieces(), "test", "test.toml", std::filesystem::current_path());
   description.settings.ghost.solver = "auto";
   Simulation simulation(scene::buildScene(description, description.settings));
   testing::takeSteps(simulation, 250);

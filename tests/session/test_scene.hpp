@@ -28,6 +28,36 @@ inline std::shared_ptr<const scene::Scene> sceneFrom(const std::string& text) {
   return scene::buildScene(description, description.settings);
 }
 
+/// The text of a scene of two square sheets of cotton: the front one hangs from its upper corners, and the back one
+/// faces away from it. More settings can follow.
+/// @param lines keys of the back sheet, and tables
+inline std::string twoSheets(const std::string& lines) {
+  return R"(
+[[cloths]]
+name = "front"
+grid = "vertical"
+position = [0, 1, 0.1]
+pins = { corners = ["top_left", "top_right"] }
+
+[[cloths]]
+name = "back"
+grid = "vertical"
+position = [0, 1, -0.1]
+rotation = [0, 180, 0]
+)" + lines +
+         R"(
+
+[settings]
+grid.resolution = 9
+grid.width = 0.4
+grid.height = 0.4
+material.model = "fabric"
+material.preset = "cotton"
+self_collision = "exact"
+time_step = "1/300"
+)";
+}
+
 /// The built-in grid at a small size.
 inline std::shared_ptr<const scene::Scene> smallGrid(int resolution = 9, std::vector<std::string> settings = {}) {
   settings.insert(settings.begin(), "grid.resolution=" + std::to_string(resolution));
