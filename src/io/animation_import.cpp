@@ -25,14 +25,18 @@ std::string animationFormatList() {
   return list;
 }
 
+/// The extension in lower case, without the dot.
+std::string formatOf(const fs::path& file) {
+  const std::string ending = text::lowerCase(file.extension().string());
+  return ending.empty() ? "" : ending.substr(1);
+}
+
 std::string animationFormatOf(const std::string& name) {
-  const std::string ending = text::lowerCase(fs::path(name).extension().string());
-  const std::vector<std::string> formats = animationFormats();
-  if (ending.empty() || std::find(formats.begin(), formats.end(), ending.substr(1)) == formats.end()) {
+  if (!isAnimationFile(name)) {
     throw messages::InputError(name + ": an animation is read from " + animationFormatList() +
                                ". Export it in one of these formats.");
   }
-  return ending.substr(1);
+  return formatOf(name);
 }
 
 /// Gives vertices that stay together in all frames one number. Splits at texture seams and between normals vanish.
@@ -96,6 +100,11 @@ void checkReply(const ImportReply& reply) {
 
 std::vector<std::string> animationFormats() {
   return {"glb", "gltf", "fbx", "dae"};
+}
+
+bool isAnimationFile(const fs::path& file) {
+  const std::vector<std::string> formats = animationFormats();
+  return std::ranges::find(formats, formatOf(file)) != formats.end();
 }
 
 AnimatedMesh importAnimation(const fs::path& file, const AnimationOptions& options) {

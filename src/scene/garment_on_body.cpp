@@ -6,13 +6,11 @@
 #include "scene/mesh_file.hpp"
 #include "scene/opened_mesh.hpp"
 #include "scene/unit_guess.hpp"
-#include "text/words.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 namespace drape::scene {
 namespace {
@@ -60,12 +58,6 @@ bool isInMetres(const ReadingChoice& choice) {
   return (choice.unit == open.unit || choice.unit == "m") && (choice.up == open.up || choice.up == "y");
 }
 
-/// The ending of a file name in lower case, without the dot.
-std::string formatOf(const std::string& file) {
-  const std::string ending = text::lowerCase(std::filesystem::path(file).extension().string());
-  return ending.empty() ? "" : ending.substr(1);
-}
-
 bool isBuiltInBody(const std::string& body) {
   return std::ranges::find(builtinBodies, body) != builtinBodies.end();
 }
@@ -90,9 +82,8 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
   description.body.motion.keyframes = {sim::contact::Keyframe{}};
   const bool isBuiltIn = isBuiltInBody(body);
   if (!isBuiltIn && !io::isMeshFile(body)) {
-    const std::string format = formatOf(body);
     throw messages::InputError("the body '" + body + "' is no mesh file; give one, or mannequin or figure" +
-                               (format == "fbx" || format == "dae" ? ", or the name of a clip in it (--clip)" : ""));
+                               (io::isAnimationFile(body) ? ", or the name of a clip in it (--clip)" : ""));
   }
   if (isBuiltIn && !isInMetres(choice)) {
     throw messages::InputError("the body " + body +
@@ -111,14 +102,12 @@ BodyDescription bodyOfFile(const std::string& body, const settings::Settings& se
 }
 
 BodyDescription animatedBodyOfFile(const std::string& body, const std::string& clip, const ReadingChoice& choice) {
-  const std::string format = formatOf(body);
-  const std::vector<std::string> formats = io::animationFormats();
-  if (isBuiltInBody(body) || std::ranges::find(formats, format) == formats.end()) {
+  if (isBuiltInBody(body) || !io::isAnimationFile(body)) {
     throw messages::InputError(
         "the body '" + body +
         "' has no clips; give a file in the format .glb, .gltf, .fbx or .dae, or leave --clip out");
   }
-  const bool isGltf = format == "glb" || format == "gltf";
+  const bool isGltf = io::isMeshFile(body);  // the only format for both meshes and animations
   if (choice.up != ReadingChoice().up || (choice.unit != ReadingChoice().unit && !isGltf)) {
     throw messages::InputError(body + " states its unit and its up axis; leave --body-unit and --body-up out");
   }
