@@ -10,6 +10,7 @@
 
 namespace drape::app {
 
+/// A name of assimp as a text.
 [[nodiscard]] std::string nameOf(const aiString& name);
 
 /// A node of a scene. Its parent has a lower index.

@@ -174,7 +174,7 @@ class AdaptiveStep {
     ofParts.contacts = nullptr;
     ofParts.movedPins = nullptr;
     if (inputs.movedPins != nullptr) {
-      movePinsBy(*inputs.movedPins, state);  // here they jump
+      movePinsBy(*inputs.movedPins, state);  // at once, since the parts do not follow their path
     }
     parameters.timeStep /= parts;
     plan.substeps = (plan.forceEvaluations() + parts - 1) / parts;
