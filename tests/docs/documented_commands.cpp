@@ -16,7 +16,7 @@ std::optional<DocumentedCommand> parse(const std::string& page, int line, std::s
   static const std::regex shape(
       R"(^(scripts/|build/release/bin/)?(drape[a-z-]*|drape_bench|[a-z_]+_tests|cmake|ctest|[a-z-]+)( +\S.*)$)");
   static const std::regex comment(R"( +# .*$)");
-  static const std::regex mention(R"(drape-headless +(run|capture|measure|save))");
+  static const std::regex mention(R"(drape-headless +(run|capture|measure|save|dress|untangle|bake))");
   static const std::regex placeholder(R"((^|[ |=/\[])(\.\.\.|[A-Z][A-Z_]*|\[.*\])($|[ |\]]))");
   text = std::regex_replace(text, comment, "");
   std::smatch parts;
