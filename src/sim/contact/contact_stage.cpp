@@ -110,6 +110,19 @@ void ContactStage::findSubstepContacts(const ClothModel& model, const CommonPara
   }
 }
 
+bool ContactStage::addMissedContacts(const ClothModel& model, const CommonParameters& parameters,
+                                     const ContactParameters& contact, const ClothState& state,
+                                     std::vector<SubstepContact>& listed) {
+  if (contact.self != SelfCollision::Exact || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
+    return false;
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const bool added = exactSelfContact().addMissedContacts(
+      {model, parameters, contact, start_, state.hasNoSelfIntersection, state.selfContact}, state.positions, listed);
+  selfSeconds_ += secondsSince(begin);
+  return added;
+}
+
 SelfContact& ContactStage::selfContact() {
   if (!self_) {
     self_ = std::make_unique<SelfContact>();

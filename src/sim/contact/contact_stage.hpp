@@ -58,6 +58,12 @@ class ContactStage {
                            const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
                            std::vector<SubstepContact>& found);
 
+  /// Adds the contacts of the cloth with itself that the predicted state violates and that `findSubstepContacts` did
+  /// not list. Only with exact self-collision.
+  /// @returns whether there are any
+  bool addMissedContacts(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+                         const ClothState& state, std::vector<SubstepContact>& listed);
+
   /// Corrects the predicted state. Does nothing if `begin` did nothing.
   /// @param stepFraction length of this contact substep over that of the user's step [-]; scales how far pairs that are
   /// too close are pushed apart

@@ -32,6 +32,10 @@ constexpr double maxContactSubstepTime = 1.0 / 300.0;  // [s]
 constexpr double maxMotionInEdges = 0.35;
 constexpr int maxFastContactSubsteps = 16;
 
+/// How often a contact substep is repeated with contacts of the cloth with itself that its list lacked. The correction
+/// at its end would move the features apart against the springs, which adds energy. More repetitions find few contacts.
+constexpr int maxRepetitions = 3;
+
 /// The largest motion of a vertex in a step relative to the mean motion, with the present velocities [m].
 double maxMotion(const ClothState& state, double timeStep) {
   const auto count = static_cast<double>(std::max<std::size_t>(1, state.velocities.size()));
@@ -242,22 +246,13 @@ StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepPar
 StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                     ClothState& state) {
   const double end = state.time + parameters.timeStep;
-  StepParameters part = parameters;
-  StepReport total;
   contact_.begin(parameters.contact, inputs, state);
   planPins(model, inputs, state);
   closing_.plan(seams_, parameters.timeStep, state);
   const StepInputs own = inputsOfSolver(model, parameters, inputs, state);
-  const bool solverMovesPins = info_->resolvesContacts;
-  const int substeps = info_->choosesSubsteps && (solverMovesPins || pinMotions_.empty()) ? 1 : parameters.substeps;
-  part.timeStep = parameters.timeStep / substeps;
-  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinMotions_.empty()) {
-    state.history.timeStep = 0.0;
-    total = solver_->steps(model, part, own, substeps, state);
-    advanceSubstepContacts(part.timeStep);
-  } else {
-    total = stepInFrameOfPins(model, part, own, substeps, state);
-  }
+  StepReport total = info_->resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact
+                         ? moveWithSubstepContacts(model, parameters, own, state)
+                         : moveBySolver(model, parameters, own, state);
   if (closing_.acts()) {
     closeSeams(model, parameters, state);
   }
@@ -272,6 +267,40 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   dampingWork_ += total.settlingWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;
+}
+
+StepReport Stepper::moveBySolver(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                 ClothState& state) {
+  StepParameters part = parameters;
+  const bool solverMovesPins = info_->resolvesContacts;
+  const int substeps = info_->choosesSubsteps && (solverMovesPins || pinMotions_.empty()) ? 1 : parameters.substeps;
+  part.timeStep = parameters.timeStep / substeps;
+  if (integrationOf(parameters) == Integration::BackwardEuler && !parameters.keepMomentum && pinMotions_.empty()) {
+    state.history.timeStep = 0.0;
+    const StepReport report = solver_->steps(model, part, inputs, substeps, state);
+    advanceSubstepContacts(part.timeStep);
+    return report;
+  }
+  return stepInFrameOfPins(model, part, inputs, substeps, state);
+}
+
+StepReport Stepper::moveWithSubstepContacts(const ClothModel& model, const StepParameters& parameters,
+                                            StepInputs inputs, ClothState& state) {
+  contactStart_ = state;
+  startContacts_ = substepContacts_;
+  StepReport report = moveBySolver(model, parameters, inputs, state);
+  // Contacts of seams must stay the last ones.
+  for (int i = 0; i < maxRepetitions && seamContacts_ == 0 && report.choice && !report.choice->sleeping &&
+                  contact_.addMissedContacts(model, parameters, parameters.contact, state, startContacts_);
+       ++i) {
+    const int evaluations = report.choice->forceEvaluations;
+    state = contactStart_;
+    substepContacts_ = startContacts_;
+    inputs.contacts = &substepContacts_;
+    report = moveBySolver(model, parameters, inputs, state);
+    report.choice->forceEvaluations += evaluations;
+  }
+  return report;
 }
 
 /// Takes the substeps of a step in the frame of reference of the pins. @param parameters of a substep

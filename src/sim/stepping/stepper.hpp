@@ -95,6 +95,13 @@ class Stepper {
   StepReport stepWithContact(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                              ClothState& state);
 
+  /// The solver's part of a step, without contact at its end.
+  StepReport moveBySolver(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                          ClothState& state);
+  /// The same, repeated while contacts were missing in the substeps.
+  StepReport moveWithSubstepContacts(const ClothModel& model, const StepParameters& parameters, StepInputs inputs,
+                                     ClothState& state);
+
   /// Draws the seams together at the end of a contact substep.
   void closeSeams(const ClothModel& model, const StepParameters& parameters, ClothState& state);
   /// Adds the loads of a contact substep.
@@ -150,6 +157,8 @@ class Stepper {
   std::vector<PinMotion> pinMotions_;
   std::vector<SubstepContact> substepContacts_;  // of the present contact substep; those of seams come last
   std::size_t seamContacts_ = 0;                 // how many of these are of seams
+  std::vector<SubstepContact> startContacts_;    // the same contacts at the start of the contact substep
+  ClothState contactStart_;                      // the state there, from which it is repeated
   std::span<const Seam> seams_;                  // that are not welded
   SeamClosing closing_;
 };

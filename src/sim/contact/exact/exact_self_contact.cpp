@@ -4,6 +4,8 @@
 #include "sim/contact/solve/remove_approach.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 namespace drape::sim::contact {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 // In thicknesses:
 constexpr double contactMargin = 0.25;  // excess over the thickness up to which predicted positions count
 constexpr double substepMargin = 0.05;  // the same in substeps, beyond what gravity moves
+constexpr double missedDepth = 0.25;    // violation from which the substeps are repeated with a contact
 constexpr double activeGap = 0.1;       // excess over the thickness up to which velocities are corrected
 constexpr double recoveryMargin = 0.1;  // distance at which crossing features count as separate
 constexpr double reachRatio = approachSlack * (1.0 + contactMargin);  // distance up to which pairs are searched
@@ -20,6 +23,15 @@ constexpr int impulseIterations = 10;
 
 /// If patches became invalid in more rounds of the guard, all pairs are checked.
 constexpr int maxPatchRounds = 3;
+
+/// The coordinate of a contact along its normal [m].
+double alongNormal(const SubstepContact& contact, const std::vector<Vec3>& positions) {
+  Vec3 offset = Vec3::Zero();
+  for (std::size_t k = 0; k < contact.vertices.size(); ++k) {
+    offset += contact.weights[k] * positions[contact.vertices[k]];
+  }
+  return contact.normal.dot(offset);
+}
 
 }  // namespace
 
@@ -61,8 +73,19 @@ void ExactSelfContact::findEntangledAt(const ExactStep& step) {
   markEntangled(search_.meshOf(step.model), crossings_, step.start.size(), entangled_);
 }
 
+/// Finds the contacts of the whole step, unless they are known already.
+void ExactSelfContact::findContactsAtEnd(const ExactStep& step, const std::vector<Vec3>& predicted) {
+  if (predicted_ != predicted) {
+    contacts_.clear();
+    findContacts(step, contactMargin * step.contact.thickness, separationSpeed * step.parameters.timeStep, predicted,
+                 contacts_);
+    predicted_ = predicted;
+  }
+}
+
 SelfApproach ExactSelfContact::approach(const ExactStep& step, const std::vector<Vec3>& ahead) {
   contacts_.clear();
+  predicted_.clear();
   findContacts(step, contactMargin * step.contact.thickness, 0.0, ahead, contacts_);
   SelfApproach approach{.isNear = !contacts_.empty(), .motion = 0.0};
   for (const SubstepContact& contact : contacts_) {
@@ -78,7 +101,33 @@ SelfApproach ExactSelfContact::approach(const ExactStep& step, const std::vector
 void ExactSelfContact::findSubstepContacts(const ExactStep& step, const std::vector<Vec3>& ahead,
                                            std::vector<SubstepContact>& found) {
   const double h = step.parameters.timeStep;
+  predicted_.clear();
   findContacts(step, substepMargin * step.contact.thickness + step.parameters.gravity * h * h, 0.0, ahead, found);
+}
+
+bool ExactSelfContact::addMissedContacts(const ExactStep& step, const std::vector<Vec3>& predicted,
+                                         std::vector<SubstepContact>& listed) {
+  findContactsAtEnd(step, predicted);
+  const double allowed = missedDepth * step.contact.thickness;
+  std::vector<SubstepContact> violated;
+  for (const SubstepContact& contact : contacts_) {
+    // Contacts of substeps do not move apart what is too close.
+    const double height = std::min(contact.height, alongNormal(contact, step.start));
+    if (height - alongNormal(contact, predicted) > allowed) {
+      violated.push_back(contact);
+      violated.back().height = height;
+    }
+  }
+  if (violated.empty()) {
+    return false;
+  }
+  std::set<std::array<int, 4>> known;
+  for (const SubstepContact& contact : listed) {
+    known.insert(contact.vertices);
+  }
+  std::erase_if(violated, [&](const SubstepContact& contact) { return known.contains(contact.vertices); });
+  listed.insert(listed.end(), violated.begin(), violated.end());
+  return !violated.empty();
 }
 
 void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) {
@@ -116,9 +165,8 @@ int ExactSelfContact::solveVelocities(const ExactStep& step, ClothState& state, 
 }
 
 int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points) {
-  contacts_.clear();
-  findContacts(step, contactMargin * step.contact.thickness, separationSpeed * step.parameters.timeStep,
-               state.positions, contacts_);
+  findContactsAtEnd(step, state.positions);
+  predicted_.clear();
   int active = 0;
   if (!contacts_.empty()) {
     solvePositions(step, state);

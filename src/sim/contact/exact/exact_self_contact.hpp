@@ -55,6 +55,12 @@ class ExactSelfContact {
   /// @param found the contacts are appended
   void findSubstepContacts(const ExactStep& step, const std::vector<Vec3>& ahead, std::vector<SubstepContact>& found);
 
+  /// Finds the contacts that the way to `predicted` [m] violates and that are not in the list of the substeps: forces
+  /// in the substeps moved the features elsewhere than their velocities at the start.
+  /// @param listed those are appended  @returns whether there are any
+  bool addMissedContacts(const ExactStep& step, const std::vector<Vec3>& predicted,
+                         std::vector<SubstepContact>& listed);
+
   /// Corrects the predicted positions and velocities by the impulses of contacts.
   /// @param points the active contacts are appended  @returns their number
   int resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
@@ -71,6 +77,7 @@ class ExactSelfContact {
  private:
   void findContacts(const ExactStep& step, double margin, double separationStep, const std::vector<Vec3>& predicted,
                     std::vector<SubstepContact>& found);
+  void findContactsAtEnd(const ExactStep& step, const std::vector<Vec3>& predicted);
   void solvePositions(const ExactStep& step, ClothState& state);
   int solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
   void recover(const ExactStep& step, ClothState& state);
@@ -87,6 +94,7 @@ class ExactSelfContact {
   ModelCache<std::vector<double>> inverseMass_;
   ModelCache<std::unique_ptr<CrossingField>> crossingField_;
   std::vector<SubstepContact> contacts_;
+  std::vector<Vec3> predicted_;  // positions at the end that `contacts_` belong to [m]; empty: none
   std::vector<ContactConstraint> constraints_;
   std::vector<ContactConstraint> active_;
   std::vector<ContactGoal> goals_;
