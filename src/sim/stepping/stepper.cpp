@@ -36,6 +36,21 @@ constexpr int maxFastContactSubsteps = 16;
 /// at its end would move the features apart against the springs, which adds energy. More repetitions find few contacts.
 constexpr int maxRepetitions = 3;
 
+/// Solvers that do not resolve contacts repeat a step in up to four times as many contact substeps if contact moved a
+/// vertex by more than this many mean edges in one of them. Such a correction stretches springs more than the motion
+/// that it stops, and the guard may find no positions.
+constexpr double maxCorrectionInEdges = 0.2;
+constexpr double maxFinerSubsteps = 4.0;
+
+/// The largest distance of a vertex in one list from itself in the other [m].
+double largestDistance(const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
+  double largest = 0.0;  // squared
+  for (std::size_t v = 0; v < first.size(); ++v) {
+    largest = std::max(largest, (second[v] - first[v]).squaredNorm());
+  }
+  return std::sqrt(largest);
+}
+
 /// The largest motion of a vertex in a step relative to the mean motion, with the present velocities [m].
 double maxMotion(const ClothState& state, double timeStep) {
   const auto count = static_cast<double>(std::max<std::size_t>(1, state.velocities.size()));
@@ -167,8 +182,33 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
   }
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state) *
                      (info_->choosesSubsteps ? parameters.automatic.refinement : 1);
+  return info_->resolvesContacts || parameters.contact.self != contact::SelfCollision::Exact
+             ? stepInParts(model, parameters, inputs, state)
+             : stepInShorterParts(model, parameters, inputs, state);
+}
+
+/// A step in the present number of contact substeps.
+StepReport Stepper::stepInParts(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                ClothState& state) {
+  largestCorrection_ = 0.0;
   return contactSubsteps_ == 1 ? stepWithContact(model, parameters, inputs, state)
                                : stepInContactSubsteps(model, parameters, inputs, contactSubsteps_, state);
+}
+
+/// A step that is repeated once in shorter contact substeps if contact moved a vertex too far.
+StepReport Stepper::stepInShorterParts(const ClothModel& model, const StepParameters& parameters,
+                                       const StepInputs& inputs, ClothState& state) {
+  contactStart_ = state;
+  const StepReport report = stepInParts(model, parameters, inputs, state);
+  const double allowed = maxCorrectionInEdges * meanEdge_.get(model, meanEdge);
+  if (largestCorrection_ <= allowed) {
+    return report;
+  }
+  contactSubsteps_ *= static_cast<int>(std::clamp(std::ceil(largestCorrection_ / allowed), 2.0, maxFinerSubsteps));
+  state = contactStart_;
+  earlierContactWork_ = 0.0;
+  contactLoadsAreOld_ = true;
+  return stepInParts(model, parameters, inputs, state);
 }
 
 /// Sleeping cloth needs no contact.
@@ -260,6 +300,9 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   total.contact = total.choice && total.choice->sleeping
                       ? contact_.keepLast()
                       : contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
+  if (const ClothState* unresolved = contact_.unresolved()) {
+    largestCorrection_ = std::max(largestCorrection_, largestDistance(unresolved->positions, state.positions));
+  }
   if (keepsContactLoads_ && !(total.choice && total.choice->sleeping)) {
     addContactLoads(model, state);
   }

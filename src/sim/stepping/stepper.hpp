@@ -89,6 +89,10 @@ class Stepper {
   /// The step with the material that acts on the cloth (actingMaterial).
   StepReport advance(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      ClothState& state);
+  StepReport stepInParts(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                         ClothState& state);
+  StepReport stepInShorterParts(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                ClothState& state);
   StepReport stepAsleep(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                         ClothState& state);
   /// A step, or a contact substep, with contact at its end.
@@ -158,7 +162,8 @@ class Stepper {
   std::vector<SubstepContact> substepContacts_;  // of the present contact substep; those of seams come last
   std::size_t seamContacts_ = 0;                 // how many of these are of seams
   std::vector<SubstepContact> startContacts_;    // the same contacts at the start of the contact substep
-  ClothState contactStart_;                      // the state there, from which it is repeated
+  ClothState contactStart_;                      // from which a contact substep or a step is repeated
+  double largestCorrection_ = 0.0;               // of a vertex by contact in the contact substeps of the step [m]
   std::span<const Seam> seams_;                  // that are not welded
   SeamClosing closing_;
 };

@@ -191,6 +191,28 @@ TEST(ExactSelfContact, addsLittleEnergyToAStripThatIsTwistedIntoARope) {
   EXPECT_EQ(scene.pairsWithItself(), 0U);
 }
 
+/// The largest number of contact substeps while a sheet with edges of 0.1 m hits a sphere.
+int contactSubstepsOfImpact(double speed, SelfCollision self) {
+  testing::ContactScene scene(testing::freeSheet(9, 0.8, Vec3(0.0, 0.25, 0.0)),
+                              {testing::bodyAt(SphereShape{0.2}, Vec3::Zero())}, "newton");
+  scene.parameters.contact.self = self;
+  scene.parameters.material.stiffness = 100.0;
+  scene.parameters.timeStep = 1.0 / 300.0;
+  for (Vec3& velocity : scene.state.velocities) {
+    velocity.y() = -speed;
+  }
+  int largest = 0;
+  scene.run(0.05, [&](const StepReport&) { largest = std::max(largest, scene.stepper().contactSubsteps()); });
+  EXPECT_EQ(scene.pairs(0), 0);
+  return largest;
+}
+
+TEST(ExactSelfContact, repeatsAStepInShorterContactSubstepsWhereContactMovesClothFar) {
+  EXPECT_GT(contactSubstepsOfImpact(20.0, SelfCollision::Exact), 1);  // 67 mm in a step
+  EXPECT_EQ(contactSubstepsOfImpact(2.0, SelfCollision::Exact), 1);
+  EXPECT_EQ(contactSubstepsOfImpact(20.0, SelfCollision::Hash), 1);
+}
+
 TEST(ExactSelfContact, countsCrossingsInALaterContactSubstepAndRecoversOnceThereIsRoom) {
   // All vertices are pinned, and a body far away carries those of a small sheet through the large one and back.
   ClothMesh mesh;
