@@ -155,6 +155,10 @@ text::Sentence inWords(const sim::SolverWarning& warning) {
           "stretch "
           "stiffness keeps real time where the strain stays small (auto.strain = 0.01).",
           inTwoDigits(warning.costRatio));
+    case Kind::LimitedLift:
+      return Sentence(
+          "The paper's lift jumps where cloth lies along the wind. The solver auto limits it there to the lift of a "
+          "thin plate, and other solvers do not. The air model of a thin plate has no jump (air.model = plate).");
   }
   return {};
 }

@@ -141,5 +141,11 @@ TEST(SolverWarningText, offersASlowFabricALimitOnStrainAndNoSofterSprings) {
       "stiffness keeps real time where the strain stays small (auto.strain = 0.01).");
 }
 
+TEST(SolverWarningText, offersALiftThatDoesNotJump) {
+  EXPECT_EQ(inWords({.kind = Kind::LimitedLift}),
+            "The paper's lift jumps where cloth lies along the wind. The solver auto limits it there to the lift of a "
+            "thin plate, and other solvers do not. The air model of a thin plate has no jump (air.model = plate).");
+}
+
 }  // namespace
 }  // namespace drape::messages

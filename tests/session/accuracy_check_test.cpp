@@ -89,6 +89,43 @@ TEST(AccuracyCheck, countsTheErrorThatHandsAndChangedSettingsCause) {
   expectRight(checked, fine, "auto");
 }
 
+/// Verlet takes the lift of eq. 20, which the settings ask for, and `auto` at most that of a thin plate.
+TEST(AccuracyCheck, countsTheLiftThatAutoDoesNotTake) {
+  const auto blow = [](Simulation& simulation) {
+    change(simulation, "drag", 0.5);
+    change(simulation, "lift", 0.3);
+    change(simulation, "wind.x", 8.0);
+  };
+  Simulation checked(smallGrid());
+  change(checked, "solver", std::string("auto"));
+  change(checked, "error_check", true);
+  blow(checked);
+  testing::takeSteps(checked, stepsOfACheck);
+  Simulation fine(smallGrid());
+  makeFine(fine);
+  blow(fine);
+  testing::takeSteps(fine, stepsOfACheck);
+  EXPECT_GT(sim::meanDistance(checked.state().positions, fine.state().positions), 1e-3);
+  expectRight(checked, fine, "auto");
+}
+
+/// The damping of a fabric acts once in a step, so its error does not shrink with the substeps of `auto`.
+TEST(AccuracyCheck, countsTheErrorOfTheDampingOfAFabric) {
+  const auto grid = smallGrid(9, {"material.model=fabric", "material.preset=jersey"});
+  Simulation checked(grid);
+  change(checked, "solver", std::string("auto"));
+  change(checked, "error_check", true);
+  testing::takeSteps(checked, stepsOfACheck);
+  constexpr int refinement = 40;
+  Simulation fine(grid);
+  change(fine, "solver", std::string("verlet"));
+  change(fine, "substeps", 20);
+  change(fine, "time_step", 1.0 / 150.0 / refinement);
+  testing::takeSteps(fine, stepsOfACheck * refinement);
+  expectRight(checked, fine, "auto");
+  EXPECT_GT(checked.accuracy()->error, 0.5 * sim::meanDistance(checked.state().positions, fine.state().positions));
+}
+
 TEST(AccuracyCheck, findsTheSameInTheBackground) {
   Simulation inside(smallGrid());
   change(inside, "error_check", true);

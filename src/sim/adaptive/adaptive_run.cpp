@@ -70,7 +70,9 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                EnergyRequest request) {
   cloth_ = &cloths_.get(model);
   step_ = simd::sliceStepOf<T>(parameters, {});
-  step_.liftRise = static_cast<T>(kernels::liftRise(parameters.air.density));
+  // Where lift of any slope is allowed, it is that of eq. 20, but cloth along the wind still slides with a part of it.
+  constexpr double steep = 1e9;
+  step_.liftRise = static_cast<T>((plan.fullLift ? steep : 1.0) * kernels::liftRise(parameters.air.density));
   const double substep = parameters.timeStep / plan.substeps;
   damping_ = {.timedDamping = static_cast<T>(substep * parameters.material.damping), .stages = plan.dampingStages};
   if (plan.dampingStages > 0) {

@@ -12,6 +12,8 @@ struct AutoOptions {
   double errorTolerance = 1e-4;  ///< allowed mean position error after 0.2 s of motion [m]
   /// Divides the contact substeps, and multiplies the substeps in each, for a more accurate motion to compare with [-].
   int refinement = 1;
+  /// Takes the lift of eq. 20 in full, in place of at most that of a thin plate, for a motion to compare with.
+  bool fullLift = false;
 };
 
 }  // namespace drape::sim::adaptive

@@ -41,7 +41,8 @@ struct StepPlan {
   /// and the second the substeps.
   int airInterval = 1;
   int bendingInterval = 1;
-  bool softens = false;  ///< the energy counts the clamped stiffness; otherwise the full stiffness
+  bool softens = false;   ///< the energy counts the clamped stiffness; otherwise the full stiffness
+  bool fullLift = false;  ///< the lift of eq. 20 is not limited to that of a thin plate
 
   [[nodiscard]] int forceEvaluations() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
   /// The cost with coarse levels and damping stages, in force evaluations.

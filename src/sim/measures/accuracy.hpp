@@ -15,8 +15,8 @@ inline constexpr double testDisplacement = 1e-6;
 struct Accuracy {
   double time = 0.0;     ///< simulated time at the end [s]
   double seconds = 0.0;  ///< duration of the compared motion [s]
-  double error = 0.0;  ///< mean distance between the motion and the reference at the end, at least half of `spread` [m]
-  double spread = 0.0;  ///< mean distance between the two references at the end [m]
+  double error = 0.0;    ///< mean distance between the motion and the reference at the end [m]
+  double spread = 0.0;   ///< mean distance between the two references at the end [m]
 };
 
 /// Whether the error can be known. It cannot where tiny differences grow to a visible size that is no longer small

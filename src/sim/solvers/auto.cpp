@@ -75,6 +75,7 @@ class AdaptiveStep {
     }
     plan.usesCoarseLevels = plan.usesCoarseLevels && memory.withoutLevels == 0;
     plan.substeps *= parameters.automatic.refinement;
+    plan.fullLift = parameters.automatic.fullLift;
     const double budget = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
     adaptive::StepChoice choice{.order = plan.scheme == adaptive::ExplicitScheme::Pefrl ? 4 : 2,
                                 .substeps = plan.substeps,
@@ -461,7 +462,7 @@ class AutoSolver final : public Solver {
 };
 
 /// Warns if the cost budget is too small for this cloth, and says whether speed or stiffness suffers.
-std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
+std::optional<SolverWarning> costWarning(const ClothModel& model, const StepParameters& parameters) {
   const double frequency = largestFrequency(model, parameters);
   const double evaluations = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
   const double hOmega = std::max(frequency * parameters.timeStep, 1e-30);
@@ -485,6 +486,21 @@ std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepPara
                        .stiffnessScale = clamped * clamped,
                        .neededCost = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6),
                        .softenedByChoice = parameters.automatic.soften};
+}
+
+/// Whether the lift of eq. 20 acts, which AdaptiveRun limits.
+bool limitsLift(const ClothModel& model, const AirParameters& air) {
+  const bool isPlate = air.model == AirModel::Plate || (air.model == AirModel::Auto && model.fabric);
+  return !isPlate && air.lift > 0.0 && air.density > 0.0;
+}
+
+/// One warning, the most important one.
+std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
+  std::optional<SolverWarning> warning = costWarning(model, parameters);
+  if (!warning && limitsLift(model, parameters.air)) {
+    warning = SolverWarning{.kind = SolverWarning::Kind::LimitedLift};
+  }
+  return warning;
 }
 
 }  // namespace

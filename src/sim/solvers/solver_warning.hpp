@@ -20,6 +20,7 @@ struct SolverWarning {
     Softened,              ///< the cost budget leaves the springs `stiffnessScale`; `neededCost`, `softenedByChoice`
     SlowMotion,            ///< the step costs `costRatio` times the cost budget
     SlowFabric,            ///< the same, and the stretch stiffness of the fabric may not be lowered
+    LimitedLift,           ///< eq. 20 jumps at zero incidence, and the solver limits it there
   };
 
   Kind kind = Kind::StepTooLong;

@@ -177,11 +177,11 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
     contactSubsteps_ = 1;
     return stepAsleep(model, parameters, inputs, state);
   }
-  if (model.fabric && model.fabric->materials.damp()) {
+  const int refinement = info_->choosesSubsteps ? parameters.automatic.refinement : 1;
+  if (refinement == 1) {
     dampFabric(model, parameters, inputs, state);
   }
-  contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state) *
-                     (info_->choosesSubsteps ? parameters.automatic.refinement : 1);
+  contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state) * refinement;
   return info_->resolvesContacts || parameters.contact.self != contact::SelfCollision::Exact
              ? stepInParts(model, parameters, inputs, state)
              : stepInShorterParts(model, parameters, inputs, state);
@@ -221,6 +221,9 @@ StepReport Stepper::stepAsleep(const ClothModel& model, const StepParameters& pa
 
 void Stepper::dampFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                          ClothState& state) {
+  if (!model.fabric || !model.fabric->materials.damp()) {
+    return;
+  }
   planPins(model, inputs, state);
   std::vector<simd::PinVelocity> pins;
   for (const PinMotion& pin : pinMotions_) {
@@ -229,7 +232,7 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
   if (!damper_) {
     damper_ = std::make_unique<simd::FabricDamper>();
   }
-  dampingWork_ = damper_->damp(model, parameters, pins, state);
+  dampingWork_ += damper_->damp(model, parameters, pins, state);
 }
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
@@ -261,6 +264,9 @@ StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepPar
   StepInputs acting = inputs;
   const std::vector<MovedPin> movedPins = partOf(inputs.movedPins, 1.0 / contactSubsteps);
   acting.movedPins = movedPins.empty() ? nullptr : &movedPins;
+  // The damping of a fabric is of first order in its interval, which is the step unless a motion to compare with is
+  // made.
+  const bool refined = info_->choosesSubsteps && parameters.automatic.refinement > 1;
   StepReport total;
   for (int i = 0; i < contactSubsteps; ++i) {
     if (keepsContactWork_ && contact_.unresolved() != nullptr && i > 0) {
@@ -270,6 +276,9 @@ StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepPar
     if (inputs.bodies != nullptr) {
       acting.bodies =
           &bodySubsteps_.between(*inputs.bodies, static_cast<double>(i) / contactSubsteps, (i + 1.0) / contactSubsteps);
+    }
+    if (refined) {
+      dampFabric(model, part, acting, state);
     }
     const StepReport report = stepWithContact(model, part, acting, state);
     total.add(report);

@@ -134,7 +134,7 @@ class Stepper {
   [[nodiscard]] double driftFraction(const StepParameters& parameters, const ClothState& state) const;
   [[nodiscard]] Integration integrationOf(const StepParameters& parameters) const;
 
-  /// Damps the fabric over the step.
+  /// Damps a fabric over the step; nothing for springs or without damping.
   void dampFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                   ClothState& state);
 

@@ -292,6 +292,25 @@ TEST(Auto, letsAFlatSheetSinkThroughTheWindAsFastAsAThinPlate) {
   EXPECT_NEAR(linearMomentum(*model, state).y() / model->totalMass(), -sinking, 0.01 * sinking);
 }
 
+/// Its exact solution of eq. 20, whose jump pushes a sheet that sinks up, and one that rises down.
+TEST(Auto, withFullLiftHoldsAFlatSheetAlongTheWindAsEq20Does) {
+  const auto model = buildClothModel(testing::sheet(9), 0.15, MassLumping::Area, {});
+  StepParameters parameters;
+  parameters.timeStep = frame;
+  parameters.air.lift = 0.4;
+  parameters.air.wind = Vec3(8.0, 0.0, 0.0);
+  parameters.automatic.fullLift = true;
+  for (const Precision precision : {Precision::Float, Precision::Double}) {
+    parameters.precision = precision;
+    ClothState state = stateAtRest(model->restPositions);
+    Stepper stepper("auto");
+    for (int step = 0; step < 15; ++step) {
+      stepper.step(*model, parameters, {}, state);
+    }
+    EXPECT_LT(meanDistanceOf(state, stateAtRest(model->restPositions)), 1e-5);
+  }
+}
+
 TEST(Auto, isNearTheConvergedMotionOfAFlagInHeavyAir) {
   ClothMesh mesh = testing::sheet(9);
   for (Vec3& position : mesh.positions) {
@@ -699,6 +718,19 @@ TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
   const SolverWarning slow = warning(*model, parameters).value();
   EXPECT_EQ(slow.kind, SolverWarning::Kind::SlowMotion);
   EXPECT_NEAR(slow.costRatio, 10.0, 0.5);
+}
+
+TEST(Auto, warnsThatItLimitsTheLiftOfEq20) {
+  const auto model = pinnedSheet(9);
+  const auto warning = findSolver("auto")->warning;
+  StepParameters parameters = withEvaluations(*model, 1e3, 31.0);
+  parameters.air.drag = 1.0;
+  EXPECT_FALSE(warning(*model, parameters));
+  parameters.air.lift = 0.3;
+  ASSERT_TRUE(warning(*model, parameters));
+  EXPECT_EQ(warning(*model, parameters)->kind, SolverWarning::Kind::LimitedLift);
+  parameters.air.model = AirModel::Plate;
+  EXPECT_FALSE(warning(*model, parameters)) << "this law has no jump";
 }
 
 }  // namespace
