@@ -53,6 +53,7 @@ Settings referenceOf(Settings settings, const ErrorSourcesPlan& plan) {
   settings.step.automatic.errorTolerance = plan.referenceTolerance;
   settings.step.automatic.costBudget = maxCost;
   settings.step.automatic.refinement = refinement;
+  settings.step.automatic.fullLift = true;
   settings.step.automatic.strainLimit = 0.0;
   settings.step.automatic.soften = false;
   return settings;
@@ -156,7 +157,7 @@ std::vector<sim::ErrorSources> measureErrorSources(const scene::SceneDescription
   for (std::size_t k = 0; k < plan.times.size(); ++k) {
     sources.push_back({.time = plan.times[k],
                        .method = distanceOf(ofMethod[k], reference[k]),
-                       .mesh = meshDistance(*own, reference[k], *finer, fine[k]),
+                       .mesh = sim::meshErrorFactor * meshDistance(*own, reference[k], *finer, fine[k]),
                        .material = distanceOf(stiff[k], reference[k]),
                        .start = distanceOf(displaced[k], reference[k])});
   }

@@ -46,9 +46,9 @@ struct ErrorSourcesPlan {
 using PartDone = std::function<void(double part)>;
 
 /// Compares the sources of error of a cloth from the start of its scene. The method is that of the settings. All other
-/// runs use `auto` with the full stiffness, the tolerance of the plan and twice the substeps that it needs. A distance
-/// is infinite where a run blew up. Throws UsageError for a time step that does not divide checkpointInterval, and
-/// InputError for a cloth with seams or a mesh that is too large.
+/// runs use `auto` with the full stiffness, the full lift of eq. 20, the tolerance of the plan and twice the substeps
+/// that it needs. A distance is infinite where a run blew up. Throws UsageError for a time step that does not divide
+/// checkpointInterval, and InputError for a cloth with seams or a mesh that is too large.
 [[nodiscard]] std::vector<sim::ErrorSources> measureErrorSources(const scene::SceneDescription& description,
                                                                  const settings::Settings& settings,
                                                                  const ErrorSourcesPlan& plan,

@@ -83,6 +83,33 @@ TEST(ErrorSourcesOfAScene, ofTheMeshFallWithTheCells) {
   EXPECT_LT(fine, 0.75 * coarse);
 }
 
+/// The sheet with this number of vertices along a side, after 0.2 s.
+std::vector<Vec3> fallenSheet(scene::SceneDescription description, const char* resolution) {
+  for (const std::string& expression :
+       {"grid.resolution=" + std::string(resolution), std::string("precision=double")}) {
+    settings::assignSettingExpression(description.settings, expression);
+  }
+  description.settings.step.automatic.errorTolerance = 1e-6;
+  description.settings.step.automatic.costBudget = 1e6;
+  const auto scene = scene::buildScene(description, description.settings);
+  const std::vector<double> times{0.2};
+  return positionsAt(times, runTrajectory(*scene, scene->settings, checkpointsIn(times[0]), {})).front();
+}
+
+TEST(ErrorSourcesOfAScene, ofTheMeshAreNearTheDistanceFromAMeshWithEightTimesTheCellsInARow) {
+  const scene::SceneDescription description = coarseSheet();
+  const std::vector<Vec3> coarse = fallenSheet(description, "9");
+  const std::vector<Vec3> fine = fallenSheet(description, "65");
+  double sum = 0.0;
+  for (std::size_t v = 0; v < coarse.size(); ++v) {
+    sum += (coarse[v] - fine[8 * (v / 9) * 65 + 8 * (v % 9)]).norm();
+  }
+  const double distance = sum / static_cast<double>(coarse.size());
+  const double mesh = measureErrorSources(description, description.settings, {.times = {0.2}}).front().mesh;
+  EXPECT_LT(mesh, 1.4 * distance);
+  EXPECT_GT(mesh, distance / 1.4);
+}
+
 TEST(ErrorSourcesOfAScene, tellsItsProgressAndEndsOnRequest) {
   const scene::SceneDescription description = coarseSheet();
   std::vector<double> parts;

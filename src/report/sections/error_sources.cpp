@@ -153,7 +153,8 @@ ReportRows measureSources(const ComparedErrors& compared, const std::function<vo
                     {"time", measuredTimes.at(k)},
                     {"auto", finiteOrNull(distanceOf(automatic[k], reference[k]))},
                     {"implicit", finiteOrNull(distanceOf(implicit[k], reference[k]))},
-                    {"mesh", finiteOrNull(meshDistance(*compared.own, reference[k], *compared.finer, fine[k]))},
+                    {"mesh", finiteOrNull(sim::meshErrorFactor *
+                                          meshDistance(*compared.own, reference[k], *compared.finer, fine[k]))},
                     {"diagonals", finiteOrNull(diagonalDistance(*compared.own, reference[k]))},
                     {"stiffer", finiteOrNull(distanceOf(stiff[k], reference[k]))},
                     {"jitter", finiteOrNull(distanceOf(moved[k], reference[k]))}});
