@@ -385,6 +385,7 @@ void Simulation::on(const LoadSceneCommand& command) {
   budget_ = {};
   bodies_ = sim::contact::BodyWorld(scene_->bodies, scene_->start.time);
   on(ResetCommand{});
+  stepper_.reset();  // it knows bodies by their addresses, which those of the next scene may have
   useSolvers();
   useBalance();
   useAccuracyCheck();

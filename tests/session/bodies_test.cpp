@@ -286,5 +286,32 @@ TEST(Bodies, contactsAreInASnapshotOnlyWhenTheyAreToBeDrawn) {
   }
 }
 
+/// A free sheet above a box of this height.
+std::shared_ptr<const scene::Scene> sheetOverBox(double height) {
+  return sceneOf(std::string(R"(
+[cloth]
+grid = "horizontal"
+position = [0, 0.505, 0]
+[[bodies]]
+name = "box"
+shape = "box"
+position = [0, 0, 0]
+size = [1, )") + std::to_string(height) +
+                 ", 1]\n" + settings);
+}
+
+TEST(Bodies, OfANewSceneAreMetAsIfNoOtherSceneHadBeenThere) {
+  Simulation simulation(sheetOverBox(0.4));
+  testing::takeSteps(simulation, 40);
+  for (int i = 1; i <= 8; ++i) {  // the bodies of a new scene may be where those of an earlier one were in memory
+    const double height = 0.4 + 0.06 * i;
+    simulation.apply(LoadSceneCommand{sheetOverBox(height)});
+    testing::takeSteps(simulation, 40);
+    Simulation fresh(sheetOverBox(height));
+    testing::takeSteps(fresh, 40);
+    EXPECT_EQ(simulation.state().positions, fresh.state().positions) << "a box " << height << " m high";
+  }
+}
+
 }  // namespace
 }  // namespace drape::session
