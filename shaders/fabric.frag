@@ -43,6 +43,11 @@ Directions frameOf(vec2 place, vec3 normal) {
   vec3 warp = side * (positionY * placeX.x - positionX * placeY.x);
   weft -= normal * dot(normal, weft);
   warp -= normal * dot(normal, warp);
+  // Texture coordinates without area give no directions. Any two serve then.
+  if (min(dot(weft, weft), dot(warp, warp)) < 1e-28) {
+    weft = cross(abs(normal.y) < 0.9 ? vec3(0.0, 1.0, 0.0) : vec3(1.0, 0.0, 0.0), normal);
+    warp = cross(normal, weft);
+  }
   return Directions(weft * inversesqrt(max(dot(weft, weft), 1e-30)), warp * inversesqrt(max(dot(warp, warp), 1e-30)), normal);
 }
 

@@ -98,6 +98,23 @@ TEST_F(FabricPicture, AFabricLooksLikeItselfAndTheCheckerStaysAChoice) {
   EXPECT_EQ(checker.rgb, picture(wavySheet(0.06)).rgb);
 }
 
+/// A sheet whose texture coordinates are all one point, as those of meshes for games that have one colour.
+session::Snapshot sheetWithoutArea(session::Snapshot sheet) {
+  auto scene = std::make_shared<scene::Scene>(*sheet.scene);
+  for (Vec2& uv : scene->renderMesh.uvs) {
+    uv = Vec2(0.5, 0.5);
+  }
+  sheet.scene = scene;
+  return sheet;
+}
+
+TEST_F(FabricPicture, ClothWhoseTextureCoordinatesHaveNoAreaIsShadedAlike) {
+  for (const char* preset : {"cotton", "silk", "leather"}) {
+    const session::Snapshot sheet = sheetOf(preset, 0.06);
+    EXPECT_LT(compareImages(picture(sheet), picture(sheetWithoutArea(sheet)), 24).pixels, 400) << preset;
+  }
+}
+
 TEST_F(FabricPicture, YarnsShowFromNearAndLeaveNoMoireFarther) {
   for (const char* preset : {"denim", "canvas", "linen", "jersey", "leather"}) {
     EXPECT_GT(contrastOf(picture(sheetOf(preset), cameraAt(0.03))), 15) << preset;
