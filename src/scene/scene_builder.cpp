@@ -14,11 +14,30 @@
 namespace drape::scene {
 namespace {
 
-/// The camera of the description, or one that shows the cloth at its start.
-CameraPose cameraFor(const SceneDescription& description, const std::vector<Vec3>& start) {
+/// Extends a box by the meshes of bodies at their start.
+void extend(Eigen::AlignedBox3d& box, const std::vector<sim::contact::Body>& bodies) {
+  for (const sim::contact::Body& body : bodies) {
+    const auto* mesh = std::get_if<std::shared_ptr<const sim::contact::MeshShape>>(&body.shape);
+    if (mesh == nullptr) {
+      continue;
+    }
+    const sim::contact::Pose pose = sim::contact::poseAt(body.motion, 0.0);
+    for (const Vec3& position : (*mesh)->positions) {
+      box.extend(pose.toWorld(position));
+    }
+  }
+}
+
+/// The camera of the description, or one that shows the cloth at its start; with the bodies if they are to wear it,
+/// since it is put on them afterwards.
+CameraPose cameraFor(const SceneDescription& description, const std::vector<Vec3>& start,
+                     const std::vector<sim::contact::Body>& bodies) {
   constexpr double usualAspect = 16.0 / 9.0;
   constexpr double boxScale = 1.15;  // margin, since cloth sags and swings beyond its start box
-  const Eigen::AlignedBox3d box = sim::boundsOf(start);
+  Eigen::AlignedBox3d box = sim::boundsOf(start);
+  if (description.parts.dressed) {
+    extend(box, bodies);
+  }
   const Vec3 middle = 0.5 * (box.min() + box.max());
   return description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
                                             middle + boxScale * (box.min() - middle),
@@ -65,7 +84,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
     }
   }
   scene->bodies = bodies;
-  scene->camera = cameraFor(description, scene->start.positions);
+  scene->camera = cameraFor(description, scene->start.positions, *bodies);
   return scene;
 }
 

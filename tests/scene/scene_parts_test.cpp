@@ -1,11 +1,13 @@
 #include "scene/scene_parts.hpp"
 
 #include "messages/error.hpp"
+#include "scene/framing.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -68,6 +70,24 @@ TEST_F(PartsOfAScene, AMeshTakesThePlaceOfAScenesCloth) {
   EXPECT_TRUE(description.cloth().pins.at(0).edges.empty()) << "they belong to a grid";
   EXPECT_EQ(description.bodies.size(), 1U) << "the scene keeps its bodies";
   EXPECT_NE(buildScene(description, description.settings), nullptr);
+}
+
+/// Whether a picture of 16 x 9 shows a point.
+bool isVisible(const Vec3& point, const CameraPose& camera) {
+  const CameraBasis basis = basisOf(camera);
+  const Vec3 from = point - camera.position;
+  const double half = -from.dot(basis.back) * tanHalfAngle(camera);  // of the height of the picture there
+  return half > 0.0 && std::abs(from.dot(basis.up)) < half && std::abs(from.dot(basis.right)) < half * 16.0 / 9.0;
+}
+
+TEST_F(PartsOfAScene, TheCameraShowsTheWholeBodyThatIsToWearTheGarment) {
+  SceneParts parts{.cloth = file("shawl.obj"), .bodies = {file("torso.obj")}, .dressed = true};
+  parts.bodyReadings = {{"cm", "y"}};
+  const SceneDescription description = openParts(parts);
+  const auto scene = buildScene(description, description.settings);
+  for (const Vec3& point : {Vec3(-0.1, 0.0, -0.3), Vec3(0.1, 0.0, -0.3), Vec3(0.0, 1.2, -0.3), Vec3(0.0, 0.0, -0.5)}) {
+    EXPECT_TRUE(isVisible(point, scene->camera)) << point.transpose();
+  }
 }
 
 TEST_F(PartsOfAScene, OnlyMeshesAreBodiesAndCloth) {
