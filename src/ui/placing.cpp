@@ -246,7 +246,7 @@ void Placing::on(const PlacingRequest& request, const session::Snapshot& snapsho
       break;
     case Kind::Keep:
       if (edited_) {
-        place(*edited_, snapshot, output);
+        place(scene::Placement(*edited_), snapshot, output);
       }
       break;
     case Kind::OnGround:
