@@ -34,6 +34,11 @@ std::string clipNames(const aiScene& scene) {
   return names;
 }
 
+/// [s]
+double durationOf(const aiAnimation& clip) {
+  return clip.mDuration / (clip.mTicksPerSecond > 0.0 ? clip.mTicksPerSecond : usualTicks);
+}
+
 const aiAnimation& chooseClip(const aiScene& scene, const std::string& clip) {
   if (scene.mNumAnimations == 0) {
     throw InputError("there is no animation in it. Export the mesh with its animation.");
@@ -239,6 +244,20 @@ void requireBones(const aiScene& scene) {
   throw InputError("none of its meshes has a skin with bones. Export the mesh with its skeleton and its weights.");
 }
 
+void addTriangles(const Baker& baker, io::ImportReply& reply) {
+  reply.mesh.triangles = baker.triangles(reply.mesh.facesSkipped);
+  if (reply.mesh.triangles.size() > maxTriangles) {
+    throw InputError(fmt::format("it has {} triangles, and a body that moves may have {}. Reduce the mesh.",
+                                 reply.mesh.triangles.size(), maxTriangles));
+  }
+}
+
+/// Whether a clip can be baked and chosen by its name.
+bool isUsable(const aiScene& scene, const aiAnimation& clip) {
+  const double duration = durationOf(clip);
+  return duration > 0.0 && duration <= longestClip && (scene.mNumAnimations == 1 || clip.mName.length > 0);
+}
+
 /// 0 at 0 and 1 at 1, with slope 0 at both.
 double smoothStep(double x) {
   return x * x * (3.0 - 2.0 * x);
@@ -254,8 +273,7 @@ double ticksOf(std::size_t frame, std::size_t frames, const aiAnimation& clip) {
 io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options) {
   requireBones(scene);
   const aiAnimation& clip = chooseClip(scene, options.clip);
-  const double ticksPerSecond = clip.mTicksPerSecond > 0.0 ? clip.mTicksPerSecond : usualTicks;
-  const double duration = clip.mDuration / ticksPerSecond;
+  const double duration = durationOf(clip);
   const std::string name = io::quoted(nameOf(clip.mName));
   if (!(duration > 0.0)) {
     throw InputError("its clip " + name + " has no length. Choose another clip, or export it again.");
@@ -266,11 +284,7 @@ io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options) 
   }
   Baker baker(scene, clip);
   io::ImportReply reply;
-  reply.mesh.triangles = baker.triangles(reply.mesh.facesSkipped);
-  if (reply.mesh.triangles.size() > maxTriangles) {
-    throw InputError(fmt::format("it has {} triangles, and a body that moves may have {}. Reduce the mesh.",
-                                 reply.mesh.triangles.size(), maxTriangles));
-  }
+  addTriangles(baker, reply);
   const auto steps = static_cast<std::size_t>(std::max(1L, std::lround(duration * options.rate)));
   reply.frameTime = duration / static_cast<double>(steps);
   const auto lead = static_cast<std::size_t>(std::ceil(options.blend / reply.frameTime));
@@ -290,6 +304,22 @@ io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options) 
   }
   reply.leadFrames = lead;
   reply.mesh.positions = reply.frames.front();
+  return reply;
+}
+
+io::ImportReply bindPoseWithClips(const aiScene& scene, double metresPerUnit) {
+  requireBones(scene);
+  io::ImportReply reply;
+  const aiAnimation still;
+  Baker baker(scene, still);
+  addTriangles(baker, reply);
+  reply.mesh.positions = baker.frameBefore(0.0, 0.0, metresPerUnit);
+  for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
+    const aiAnimation& clip = *scene.mAnimations[i];
+    if (isUsable(scene, clip)) {
+      reply.clips.push_back({nameOf(clip.mName), durationOf(clip)});
+    }
+  }
   return reply;
 }
 

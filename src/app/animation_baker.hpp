@@ -22,4 +22,8 @@ struct BakeOptions {
 /// without the name of the file.
 [[nodiscard]] io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options);
 
+/// The meshes of a scene in their bind pose, and the clips that can be baked. Throws InputError without the name of the
+/// file. @param metresPerUnit [m]
+[[nodiscard]] io::ImportReply bindPoseWithClips(const aiScene& scene, double metresPerUnit);
+
 }  // namespace drape::app

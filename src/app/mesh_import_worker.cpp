@@ -1,6 +1,7 @@
-// drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE LOOP BLEND]: reads a mesh file from standard input and writes
-// an ImportReply to standard output. With a clip it also computes the frames of a skeletal animation. It is a separate
-// program because the parsing library crashes or hangs on some damaged files.
+// drape-mesh-import FORMAT CPU_SECONDS [clips | CLIP RATE SCALE LOOP BLEND]: reads a mesh file from standard input and
+// writes an ImportReply to standard output. With "clips" the mesh is the bind pose of a skeletal animation, with the
+// list of its clips. With a clip the program also computes the frames of the animation. It is a separate program
+// because the parsing library crashes or hangs on some damaged files.
 #include "animation_baker.hpp"
 #include "io/chained_index.hpp"
 #include "io/import_protocol.hpp"
@@ -296,12 +297,13 @@ class Collector {
 /// What to do with the file.
 struct Task {
   std::string format;
-  std::optional<drape::app::BakeOptions> bake;  ///< absent: only the mesh
+  bool listsClips = false;                      ///< whether it is the bind pose with the clips that is asked for
+  std::optional<drape::app::BakeOptions> bake;  ///< absent: no frames
 };
 
 ImportReply perform(const Task& task, const std::string& bytes) {
   Assimp::Importer importer;
-  if (!task.bake) {
+  if (!task.bake && !task.listsClips) {
     const aiScene& scene = parse(importer, task.format, bytes);
     Collector collector(scene);
     collector.addNode(*scene.mRootNode, aiMatrix4x4());
@@ -311,6 +313,9 @@ ImportReply perform(const Task& task, const std::string& bytes) {
   }
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
   const aiScene& scene = read(importer, task.format, bytes, aiProcess_Triangulate);
+  if (task.listsClips) {
+    return drape::app::bindPoseWithClips(scene, unitOf(scene, task.format));
+  }
   drape::app::BakeOptions bake = *task.bake;
   bake.metresPerUnit *= unitOf(scene, task.format);
   return drape::app::bakeAnimation(scene, bake);
@@ -331,17 +336,16 @@ ImportReply import(const Task& task) {
 }  // namespace
 
 int main(int argumentCount, char** arguments) {
+  const bool listsClips = argumentCount == 4 && std::string_view(arguments[3]) == "clips";
   const bool bakes = argumentCount == 8;
-  if ((argumentCount != 3 && !bakes) || isatty(STDIN_FILENO) != 0) {
+  if ((argumentCount != 3 && !listsClips && !bakes) || isatty(STDIN_FILENO) != 0) {
     constexpr std::string_view usage =
-        "usage: drape-mesh-import FORMAT CPU_SECONDS [CLIP RATE SCALE LOOP BLEND] < MESH > REPLY\nDrape starts this "
-        "program; do "
-        "not "
-        "run it directly.\n";
+        "usage: drape-mesh-import FORMAT CPU_SECONDS [clips | CLIP RATE SCALE LOOP BLEND] < MESH > REPLY\n"
+        "Drape starts this program; do not run it directly.\n";
     return write(STDERR_FILENO, usage.data(), usage.size()) < 0 ? EXIT_FAILURE : 2;
   }
   limitThisProcess(std::strtol(arguments[2], nullptr, 10));
-  Task task{arguments[1], std::nullopt};
+  Task task{arguments[1], listsClips, std::nullopt};
   if (bakes) {
     task.bake = {arguments[3], std::strtod(arguments[4], nullptr), std::strtod(arguments[5], nullptr),
                  std::string_view(arguments[6]) == "1", std::strtod(arguments[7], nullptr)};

@@ -89,6 +89,15 @@ std::vector<std::optional<scene::ReadingChoice>> readingsFrom(const Json& json) 
   return readings;
 }
 
+/// Logs of earlier versions have no clips.
+std::vector<std::optional<std::string>> clipsFrom(const Json& json) {
+  std::vector<std::optional<std::string>> clips;
+  for (const Json& each : json) {
+    clips.push_back(each.is_null() ? std::nullopt : std::optional(each.get<std::string>()));
+  }
+  return clips;
+}
+
 SessionLog parse(const Json& json) {
   SessionLog log;
   if (json.at("drape_session") != formatVersion) {
@@ -99,6 +108,7 @@ SessionLog parse(const Json& json) {
   log.parts.bodies = json.at("bodies");
   log.parts.caches = json.value("caches", std::vector<std::string>());
   log.parts.dressed = json.value("dressed", false);
+  log.parts.bodyClips = clipsFrom(json.value("clips", Json::array()));
   for (const auto& [key, value] : json.at("settings").items()) {
     log.settings.emplace_back(key, value.get<std::string>());
   }
@@ -181,6 +191,9 @@ void write(const SessionLog& log, OutputFile& file) {
   json["bodies"] = log.parts.bodies;
   json["caches"] = log.parts.caches;
   json["dressed"] = log.parts.dressed;
+  for (const std::optional<std::string>& clip : log.parts.bodyClips) {
+    json["clips"].push_back(clip ? Json(*clip) : Json(nullptr));
+  }
   for (const auto& [key, value] : log.settings) {
     json["settings"][key] = value;
   }

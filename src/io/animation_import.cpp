@@ -91,8 +91,29 @@ void checkReply(const ImportReply& reply) {
       }
     }
   }
-  if (reply.mesh.triangles.empty() || reply.frames.size() < 2) {
+  if (reply.mesh.triangles.empty() || reply.frames.size() == 1) {
     throw messages::InputError("there is no mesh in it that moves. Export the mesh again.");
+  }
+}
+
+/// Reads the file and runs the import program. @param task its arguments after the limits
+ImportReply replyAbout(const fs::path& file, std::vector<std::string> task, const ImportWatch& watch) {
+  watch.tell(0.0, "Reading");
+  std::string bytes = readWholeFile(file, [](const std::string& each) { (void)animationFormatOf(each); });
+  const std::string format = animationFormatOf(file.string());
+  try {
+    if (format == "gltf") {
+      std::string storage;
+      const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+      bytes = gltfWithEverything(plainText(bytes, storage), folder);
+    }
+    task.insert(task.begin(), format);
+    ImportReply reply = replyOf(std::move(task), bytes, defaultTimeLimit(bytes.size()),
+                                "another format (" + animationFormatList() + ")", watch);
+    checkReply(reply);
+    return reply;
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(file.string() + ": " + error.what());
   }
 }
 
@@ -108,25 +129,17 @@ bool isAnimationFile(const fs::path& file) {
 }
 
 AnimatedMesh importAnimation(const fs::path& file, const AnimationOptions& options) {
-  const std::string name = file.string();
-  options.watch.tell(0.0, "Reading");
-  std::string bytes = readWholeFile(file, [](const std::string& each) { (void)animationFormatOf(each); });
-  const std::string format = animationFormatOf(name);
-  try {
-    if (format == "gltf") {
-      std::string storage;
-      const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-      bytes = gltfWithEverything(plainText(bytes, storage), folder);
-    }
-    const ImportReply reply =
-        replyOf({format, options.clip, fmt::format("{}", options.rate), fmt::format("{}", options.metresPerUnit),
-                 options.loop ? "1" : "0", fmt::format("{}", options.blend)},
-                bytes, defaultTimeLimit(bytes.size()), "another format (" + animationFormatList() + ")", options.watch);
-    checkReply(reply);
-    return joined(reply);
-  } catch (const messages::InputError& error) {
-    throw messages::InputError(name + ": " + error.what());
-  }
+  return joined(replyAbout(file,
+                           {options.clip, fmt::format("{}", options.rate), fmt::format("{}", options.metresPerUnit),
+                            options.loop ? "1" : "0", fmt::format("{}", options.blend)},
+                           options.watch));
+}
+
+BindPose importBindPose(const fs::path& file, const ImportOptions& options) {
+  ImportReply reply = replyAbout(file, {"clips"}, options.watch);
+  BindPose pose{weldMesh(reply.mesh, file.string(), options), std::move(reply.clips)};
+  pose.mesh.format = {1.0, 'y'};
+  return pose;
 }
 
 }  // namespace drape::io

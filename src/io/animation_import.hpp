@@ -1,6 +1,8 @@
 #pragma once
 
+#include "io/clip_facts.hpp"
 #include "io/import_watch.hpp"
+#include "io/mesh_import.hpp"
 #include "sim/model/vector.hpp"
 
 #include <cstddef>
@@ -29,6 +31,12 @@ struct AnimatedMesh {
   std::size_t leadFrames = 0;  ///< the first ones, of the blend from the bind pose; the clip begins after them
 };
 
+/// A file with a skeletal animation before its frames are computed.
+struct BindPose {
+  ImportedMesh mesh;             ///< in the pose in which it was modelled, in metres with y up
+  std::vector<ClipFacts> clips;  ///< that can move it
+};
+
 /// The extensions of the formats with skeletal animation, lower case, without the dot.
 [[nodiscard]] std::vector<std::string> animationFormats();
 
@@ -40,5 +48,8 @@ struct AnimatedMesh {
 /// in all frames become one. Throws InputError (also for a clip that does not exist, with the names of those that do)
 /// and Cancelled.
 [[nodiscard]] AnimatedMesh importAnimation(const std::filesystem::path& file, const AnimationOptions& options);
+
+/// Reads the pose of the mesh and the list of the clips. Throws like importAnimation.
+[[nodiscard]] BindPose importBindPose(const std::filesystem::path& file, const ImportOptions& options);
 
 }  // namespace drape::io

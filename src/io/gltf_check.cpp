@@ -316,9 +316,15 @@ std::string joinGlb(Json parts, std::vector<std::string>& buffers) {
   return bytes += chunks;
 }
 
+/// Skins that are no list do no harm to the mesh.
+bool hasSkin(const Json& document) {
+  const auto skins = document.find("skins");
+  return skins != document.end() && skins->is_array() && !skins->empty();
+}
+
 }  // namespace
 
-std::string glbWithMesh(std::string_view bytes) {
+GltfMesh glbWithMesh(std::string_view bytes) {
   constexpr std::size_t headerSize = 20;  // that of the file and that of the first chunk
   if (bytes.substr(0, 4) != std::string_view("glTF").substr(0, bytes.size())) {
     throw messages::InputError(
@@ -329,7 +335,7 @@ std::string glbWithMesh(std::string_view bytes) {
   }
   const std::uint32_t version = wordAt(bytes, 4);
   if (version == 1 && wordAt(bytes, 16) == 0) {
-    return std::string(bytes);  // The parsing library reads this version too.
+    return {std::string(bytes)};  // The parsing library reads this version too.
   }
   if (version != 2) {
     throw messages::InputError("it is binary glTF of version " + std::to_string(version) +
@@ -348,16 +354,16 @@ std::string glbWithMesh(std::string_view bytes) {
   checkContent(json);
   std::vector<std::string> buffers = buffersOf(json, {}, binaryChunk(bytes.substr(headerSize + length)));
   Json parts = meshPartsOf(json, buffers);
-  return joinGlb(std::move(parts), buffers);
+  return {joinGlb(std::move(parts), buffers), hasSkin(json)};
 }
 
-std::string gltfWithBuffers(std::string_view text, const fs::path& folder) {
+GltfMesh gltfWithBuffers(std::string_view text, const fs::path& folder) {
   const Json json = parseJson(text);
   checkContent(json);
   const std::vector<std::string> buffers = buffersOf(json, folder, std::nullopt);
   Json parts = meshPartsOf(json, buffers);
   parts["buffers"] = bufferTexts(buffers);
-  return parts.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return {parts.dump(-1, ' ', false, Json::error_handler_t::replace), hasSkin(json)};
 }
 
 std::string gltfWithEverything(std::string_view text, const fs::path& folder) {

@@ -25,10 +25,18 @@ struct Header {
   std::uint64_t frames = 0;
   double frameTime = 0.0;
   std::uint64_t leadFrames = 0;
+  std::uint64_t clips = 0;
+};
+
+/// Before the name of a clip.
+struct ClipHeader {
+  double duration = 0.0;
+  std::uint64_t nameLength = 0;
 };
 
 static_assert(sizeof(Vec3) == 3 * sizeof(double) && sizeof(Vec2) == 2 * sizeof(double));
-static_assert(sizeof(Triangle) == 3 * sizeof(int) && std::is_trivially_copyable_v<Header>);
+static_assert(sizeof(Triangle) == 3 * sizeof(int) && std::is_trivially_copyable_v<Header> &&
+              std::is_trivially_copyable_v<ClipHeader>);
 
 [[noreturn]] void throwGarbled(const std::string& what) {
   throw messages::InputError("the answer of drape-mesh-import " + what +
@@ -97,6 +105,7 @@ std::string encodeReply(const ImportReply& reply) {
   header.frames = reply.frames.size();
   header.frameTime = reply.frameTime;
   header.leadFrames = reply.leadFrames;
+  header.clips = reply.clips.size();
   std::string bytes;
   bytes.reserve(sizeof(Header) + mesh.positions.size() * sizeof(Vec3) + mesh.uvs.size() * sizeof(Vec2) +
                 mesh.triangles.size() * sizeof(Triangle) + reply.error.size() + sizeof(closingMark) +
@@ -107,6 +116,11 @@ std::string encodeReply(const ImportReply& reply) {
   append(bytes, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
   for (const std::vector<Vec3>& frame : reply.frames) {
     append(bytes, frame.data(), frame.size() * sizeof(Vec3));
+  }
+  for (const ClipFacts& clip : reply.clips) {
+    const ClipHeader facts{clip.duration, clip.name.size()};
+    append(bytes, &facts, sizeof(facts));
+    append(bytes, clip.name.data(), clip.name.size());
   }
   append(bytes, reply.error.data(), reply.error.size());
   append(bytes, &closingMark, sizeof(closingMark));
@@ -147,6 +161,11 @@ ImportReply decodeReply(std::string_view bytes) {
   }
   reply.frameTime = header.frameTime;
   reply.leadFrames = static_cast<std::size_t>(header.leadFrames);
+  for (std::uint64_t clip = 0; clip < header.clips; ++clip) {
+    ClipHeader facts;
+    reader.take(&facts, sizeof(facts));
+    reply.clips.push_back({reader.takeText(facts.nameLength), facts.duration});
+  }
   reply.error = reader.takeText(header.errorLength);
   std::uint64_t mark = 0;
   reader.take(&mark, sizeof(mark));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/clip_facts.hpp"
 #include "io/mesh_import.hpp"
 
 #include <cstddef>
@@ -15,8 +16,9 @@ struct ImportReply {
   RawMesh mesh;
   /// The positions of an animation's frames, as many in each as the mesh has; empty without an animation.
   std::vector<std::vector<Vec3>> frames;
-  double frameTime = 0.0;      ///< between two frames [s]
-  std::size_t leadFrames = 0;  ///< frames before the clip begins
+  double frameTime = 0.0;             ///< between two frames [s]
+  std::size_t leadFrames = 0;         ///< frames before the clip begins
+  std::vector<ClipFacts> clips = {};  ///< of the file, if they were asked for
   std::string error;  ///< empty when there is a mesh; otherwise one sentence with a full stop, without the file name
 };
 

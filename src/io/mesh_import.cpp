@@ -81,31 +81,36 @@ struct CheckedFile {
   int facesSkipped = 0;
   int unusedVertices = 0;
   std::vector<std::string> warnings;
+  bool hasSkin = false;
   FileMesh mesh = {};  ///< of OBJ and PLY; empty for formats whose vertices the library returns
 };
+
+void takeGltf(GltfMesh&& gltf, CheckedFile& checked) {
+  checked.storage = std::move(gltf.file);
+  checked.bytes = checked.storage;
+  checked.hasSkin = gltf.hasSkin;
+}
 
 /// Checks a file of any format and fills in `checked`. Throws InputError when the file is damaged.
 void checkFile(const std::string& format, std::string_view bytes, const fs::path& folder, const ImportWatch& watch,
                CheckedFile& checked) {
   if (format == "glb") {
-    checked.storage = glbWithMesh(bytes);
-    checked.bytes = checked.storage;
+    takeGltf(glbWithMesh(bytes), checked);
     return;
   }
   std::string textStorage;
   const std::string_view text = plainText(bytes, textStorage);
   if (format == "obj") {
     ObjText obj = checkObj(text, watch);
-    checked = {std::move(obj.text), {}, obj.facesSkipped, obj.unusedVertices, std::move(obj.warnings),
-               std::move(obj.mesh)};
+    checked = {std::move(obj.text),     {},    obj.facesSkipped,   obj.unusedVertices,
+               std::move(obj.warnings), false, std::move(obj.mesh)};
     checked.bytes = checked.storage;
   } else if (format == "off") {
     OffText off = checkOff(text);
     checked = {std::move(off.text), {}, off.facesSkipped, 0, std::move(off.warnings)};
     checked.bytes = checked.storage;
   } else if (format == "gltf") {
-    checked.storage = gltfWithBuffers(text, folder);
-    checked.bytes = checked.storage;
+    takeGltf(gltfWithBuffers(text, folder), checked);
   } else {
     if (format == "ply") {
       PlyBytes ply = checkPly(text, bytes, checked.storage);
@@ -189,6 +194,7 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
   welding.watch = options.watch.part(0.7, 1.0);
   ImportedMesh mesh = weldNamed(raw, name, bytes, format, welding);
   mesh.format = factsOfFormat(format);
+  mesh.summary.hasSkin = checked.hasSkin;
   mesh.summary.warnings.insert(mesh.summary.warnings.begin(), checked.warnings.begin(), checked.warnings.end());
   return mesh;
 }

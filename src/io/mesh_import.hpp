@@ -55,6 +55,7 @@ struct MeshSummary {
   int nonManifoldEdges = 0;           ///< edges with more than two faces
   int misorientedEdges = 0;           ///< edges whose two faces run in the same direction
   std::array<double, 3> size{};       ///< extent of the bounding box [m]
+  bool hasSkin = false;               ///< whether bones move the mesh in its file, as those of a figure
   std::vector<std::string> warnings;
 };
 

@@ -181,6 +181,7 @@ void addSummary(const std::string& cloth, const io::MeshSummary& own, io::MeshSu
         &io::MeshSummary::boundaryLoops, &io::MeshSummary::nonManifoldEdges, &io::MeshSummary::misorientedEdges}) {
     all.*count += own.*count;
   }
+  all.hasSkin = all.hasSkin || own.hasSkin;
   const std::string prefix = cloth.empty() ? "" : cloth + ": ";
   for (const std::string& warning : own.warnings) {
     all.warnings.push_back(prefix);

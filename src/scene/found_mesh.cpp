@@ -1,5 +1,6 @@
 #include "scene/found_mesh.hpp"
 
+#include "io/animation_import.hpp"
 #include "scene/garment_on_body.hpp"
 #include "scene/mesh_file.hpp"
 #include "scene/unit_guess.hpp"
@@ -18,8 +19,22 @@ FoundMesh foundIn(const io::ImportedMesh& mesh) {
           .upOfShape = upOfShape(mesh.cloth),
           .pieces = mesh.summary.components,
           .vertices = mesh.summary.vertices,
-          .triangles = mesh.summary.triangles};
+          .triangles = mesh.summary.triangles,
+          .clips = {}};
 }
+
+namespace {
+
+/// The clips in a file that is read as a mesh, too. What is wrong with them does no harm to the mesh.
+std::vector<io::ClipFacts> clipsBeside(const std::string& file, const io::ImportOptions& options) {
+  try {
+    return io::importBindPose(file, options).clips;
+  } catch (const messages::InputError&) {
+    return {};
+  }
+}
+
+}  // namespace
 
 FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch) {
   io::ImportOptions options;
@@ -27,11 +42,23 @@ FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch) {
   options.outliers = io::OutlierRule::LeaveOut;
   options.watch = watch;
   const MeshFileSource source = wearSource(file);
+  const bool hasClips = !source.builtIn && io::isAnimationFile(file);
+  if (hasClips && !io::isMeshFile(file)) {
+    io::BindPose pose = io::importBindPose(file, options);
+    FoundMesh found = foundIn(pose.mesh);
+    found.clips = std::move(pose.clips);
+    found.isSkinOnly = true;
+    return found;
+  }
   io::ImportedMesh mesh = readMesh(source, options);
   if (source.builtIn) {
     mesh.format = {1.0, 'y'};
   }
-  return foundIn(mesh);
+  FoundMesh found = foundIn(mesh);
+  if (hasClips) {
+    found.clips = clipsBeside(file, options);
+  }
+  return found;
 }
 
 MeshReading readingOf(const FoundMesh& found, const ReadingChoice& choice, io::MeshUse use) {

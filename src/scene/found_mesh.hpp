@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/clip_facts.hpp"
 #include "scene/mesh_reading.hpp"
 #include "text/sentence.hpp"
 
@@ -16,13 +17,15 @@ struct FoundMesh {
   int pieces = 0;              ///< that are connected by edges
   int vertices = 0;            ///< after the weld
   int triangles = 0;
+  std::vector<io::ClipFacts> clips = {};  ///< that can move it as a body
+  bool isSkinOnly = false;  ///< whether its format is not that of a mesh: it can only be a body that a clip moves
 };
 
 /// @param mesh imported with one metre per unit
 [[nodiscard]] FoundMesh foundIn(const io::ImportedMesh& mesh);
 
-/// Reads a garment or a body: a mesh file, or a built-in one, see isBuiltInWear. Throws InputError as importMesh, and
-/// Cancelled. Vertices far from all others are left out.
+/// Reads a garment or a body: a mesh file, a file with a skeletal animation, or a built-in one, see isBuiltInWear.
+/// Throws InputError as importMesh and importAnimation, and Cancelled. Vertices far from all others are left out.
 [[nodiscard]] FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch = {});
 
 /// Unit, up axis and size of a mesh that is read so.

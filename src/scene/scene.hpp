@@ -134,6 +134,8 @@ struct SceneParts {
   bool placed = false;
   ReadingChoice clothReading = {};               ///< of the file in `cloth`, or of the mesh file in `scene`
   std::vector<ReadingChoice> bodyReadings = {};  ///< of `bodies`; those that are left out are all "auto"
+  /// The clips that move the bodies, see animatedBodyOfFile; absent or left out: the body stands.
+  std::vector<std::optional<std::string>> bodyClips = {};
 };
 
 /// An elastic band along an open border, as it is written in a scene file.

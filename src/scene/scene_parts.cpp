@@ -50,8 +50,21 @@ ReadingChoice bodyReading(const SceneParts& parts, std::size_t i) {
   return i < parts.bodyReadings.size() ? parts.bodyReadings[i] : ReadingChoice();
 }
 
-void addBody(SceneDescription& scene, const std::string& file, const ReadingChoice& reading, bool isDressed) {
-  if (isDressed || isBuiltInWear(file) || reading != ReadingChoice()) {
+/// The clip of the i-th body.
+std::optional<std::string> bodyClip(const SceneParts& parts, std::size_t i) {
+  return i < parts.bodyClips.size() ? parts.bodyClips[i] : std::nullopt;
+}
+
+void addBody(SceneDescription& scene, const SceneParts& parts, std::size_t i) {
+  const std::string& file = parts.bodies[i];
+  const ReadingChoice reading = bodyReading(parts, i);
+  if (const std::optional<std::string> clip = bodyClip(parts, i)) {
+    BodyDescription body = animatedBodyOfFile(file, *clip, reading);
+    body.body.name = freeName(scene.bodies, body.body.name);
+    scene.bodies.push_back(std::move(body));
+    return;
+  }
+  if (parts.dressed || isBuiltInWear(file) || reading != ReadingChoice()) {
     BodyDescription body = bodyOfFile(file, scene.settings, reading);
     body.body.name = freeName(scene.bodies, body.body.name);
     scene.bodies.push_back(std::move(body));
@@ -101,7 +114,8 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
                                std::to_string(maxBodies) + " at a time");
   }
   if (parts.dressed && parts.scene.empty() && parts.bodies.size() == 1) {
-    SceneDescription scene = openGarmentOnBody(parts.cloth, parts.bodies.front(), own, bodyReading(parts, 0));
+    SceneDescription scene =
+        openGarmentOnBody(parts.cloth, parts.bodies.front(), own, bodyReading(parts, 0), bodyClip(parts, 0));
     readCloth(parts.clothReading, scene);
     attachCaches(scene, parts);
     scene.parts = parts;
@@ -115,7 +129,7 @@ SceneDescription openParts(const SceneParts& parts, const settings::OwnFabrics& 
     readCloth(parts.clothReading, scene);
   }
   for (std::size_t i = 0; i < parts.bodies.size(); ++i) {
-    addBody(scene, parts.bodies[i], bodyReading(parts, i), parts.dressed);
+    addBody(scene, parts, i);
   }
   attachCaches(scene, parts);
   if (parts.dressed || (!parts.bodies.empty() && scene.opened)) {

@@ -3,6 +3,7 @@
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -74,7 +75,7 @@ DropLayout layoutOf(const PanelContext& context, const UiRect& view, const DropV
   const ImGuiStyle& style = ImGui::GetStyle();
   DropLayout layout;
   layout.indent = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x;
-  for (const char* label : {"Unit", "Up axis"}) {
+  for (const char* label : {"Unit", "Up axis", "Motion"}) {
     layout.label = std::max(layout.label, ImGui::CalcTextSize(context.texts(label).c_str()).x + style.ItemSpacing.x);
   }
   layout.choices = 17.0F * ImGui::GetFontSize();
@@ -93,7 +94,11 @@ DropLayout layoutOf(const PanelContext& context, const UiRect& view, const DropV
   const float row = ImGui::GetFrameHeightWithSpacing();
   const float block = 3.0F * row + 2.0F * ImGui::GetTextLineHeightWithSpacing() + style.ItemSpacing.y;
   const auto meshes = static_cast<float>(shown.files.meshes.size());
-  const float all = block * meshes + row * (static_cast<float>(shown.names.size()) - meshes);
+  const auto moving = std::ranges::count_if(shown.found, [](const FoundFile& file) {
+    return file.mesh && !file.mesh->isSkinOnly && !file.mesh->clips.empty();
+  });
+  const float all =
+      block * meshes + row * (static_cast<float>(shown.names.size()) - meshes + static_cast<float>(moving));
   layout.height = std::min(all, std::max(2.0F * row, static_cast<float>(view.height) - 10.0F * row));
   return layout;
 }
@@ -114,14 +119,45 @@ void reasonText(const PanelContext& context, const text::Sentence& reason, float
   ImGui::PopStyleColor();
 }
 
-/// What was found in a mesh, and the choices of its unit and up axis unless it is built in.
-void factRows(PanelContext& context, const scene::FoundMesh& mesh, const scene::MeshReading& reading, io::MeshUse use,
-              const std::string& name, const DropLayout& layout, bool isBuiltIn, scene::ReadingChoice& choice) {
-  mutedText(context.texts(scene::sizeInWords(reading)));
-  mutedText(context.texts(scene::countsInWords(mesh)));
-  if (isBuiltIn) {
-    return;  // in metres with y up
+/// A clip in the dialog: "Walk (1.2 s)".
+std::string clipName(const PanelContext& context, const io::ClipFacts& clip) {
+  const std::string seconds = fmt::format("{:.3g}", clip.duration);
+  return clip.name.empty() ? context.texts("clip without a name ({} s)", seconds)
+                           : context.texts("{} ({} s)", clip.name, seconds);
+}
+
+/// The choice of the clip that moves a body. @param present absent: the body stands
+void motionRow(PanelContext& context, const scene::FoundMesh& mesh, const std::optional<std::string>& present,
+               const std::string& name, const DropLayout& layout, MotionChoice& choice) {
+  choiceLabel(context, "Motion", layout);
+  const float width = layout.choices + layout.text;
+  ImGui::SetNextItemWidth(width);
+  const std::string still = context.texts("stands as it was modelled");
+  const auto shown = std::ranges::find_if(mesh.clips, [&](const io::ClipFacts& clip) { return clip.name == present; });
+  const std::string title = shown == mesh.clips.end() ? still : clipName(context, *shown);
+  const bool isOpen = ImGui::BeginCombo(("##" + name).c_str(), fitted(title, width).c_str());
+  context.buttons[name] = lastItemRect();
+  if (!isOpen) {
+    return;
   }
+  if (!mesh.isSkinOnly && ImGui::Selectable(still.c_str(), !present)) {
+    choice = {true, std::nullopt};
+  }
+  for (std::size_t i = 0; i < mesh.clips.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::Selectable(clipName(context, mesh.clips[i]).c_str(), mesh.clips[i].name == present)) {
+      choice = {true, mesh.clips[i].name};
+    }
+    context.buttons[name + "." + std::to_string(i)] = lastItemRect();
+    ImGui::PopID();
+  }
+  ImGui::EndCombo();
+}
+
+/// The choices of the unit and the up axis. @param isMoved a clip decides the up axis
+void readingRows(PanelContext& context, const scene::FoundMesh& mesh, const scene::MeshReading& reading,
+                 io::MeshUse use, const std::string& name, const DropLayout& layout, bool isMoved,
+                 scene::ReadingChoice& choice) {
   const float start = ImGui::GetCursorPosX();
   choiceLabel(context, "Unit", layout);
   ImGui::SetNextItemWidth(layout.choices);
@@ -129,12 +165,35 @@ void factRows(PanelContext& context, const scene::FoundMesh& mesh, const scene::
     choice.unit = unit;
   }
   reasonText(context, scene::unitReasonInWords(mesh, reading, use), start, layout);
+  if (isMoved) {
+    return;
+  }
   choiceLabel(context, "Up axis", layout);
   ImGui::SetNextItemWidth(layout.choices);
   if (const std::string up = upChoice(context, name + ".up", reading.up); up != reading.up) {
     choice.up = up;
   }
   reasonText(context, scene::upReasonInWords(reading), start, layout);
+}
+
+/// What was found in a mesh, and the choices about it.
+void factRows(PanelContext& context, const DropView& shown, const FoundFile& file, std::size_t i,
+              const DropLayout& layout, DropChoices& choices) {
+  const scene::MeshReading& reading = *shown.readings[i];
+  mutedText(context.texts(scene::sizeInWords(reading)));
+  mutedText(context.texts(scene::countsInWords(*file.mesh)));
+  if (scene::isBuiltInWear(file.file)) {
+    return;  // in metres with y up
+  }
+  const std::string name = "drop." + std::to_string(i);
+  const std::optional<std::string> clip = clipBy(shown.files, choices, i, shown.found);
+  const io::MeshUse use = i == choices.cloth ? io::MeshUse::Cloth : io::MeshUse::Body;
+  if (use == io::MeshUse::Body && !file.mesh->clips.empty()) {
+    motionRow(context, *file.mesh, clip, name + ".motion", layout, choices.motions[i]);
+  }
+  if (!file.mesh->isSkinOnly) {
+    readingRows(context, *file.mesh, reading, use, name, layout, clip.has_value(), choices.readings[i]);
+  }
 }
 
 void meshRows(PanelContext& context, const DropView& shown, std::size_t i, const DropLayout& layout,
@@ -149,9 +208,7 @@ void meshRows(PanelContext& context, const DropView& shown, std::size_t i, const
     ImGui::TextWrapped("%s", context.texts(file->problem).c_str());
     ImGui::PopStyleColor();
   } else {
-    const io::MeshUse use = i == choices.cloth ? io::MeshUse::Cloth : io::MeshUse::Body;
-    factRows(context, *file->mesh, *shown.readings[i], use, "drop." + std::to_string(i), layout,
-             scene::isBuiltInWear(file->file), choices.readings[i]);
+    factRows(context, shown, *file, i, layout, choices);
   }
   ImGui::Unindent(layout.indent);
   const float rows = 2.0F * (ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing());
@@ -160,7 +217,8 @@ void meshRows(PanelContext& context, const DropView& shown, std::size_t i, const
 }
 
 void radioButton(PanelContext& context, const std::string& name, std::size_t i, const DropLayout& layout,
-                 DropChoices& choices) {
+                 bool canBeCloth, DropChoices& choices) {
+  ImGui::BeginDisabled(!canBeCloth);
   ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, 1.5F * context.scale);
   ImGui::PushStyleColor(ImGuiCol_Border, palette().muted);
   const float room = layout.width - layout.indent - ImGui::GetStyle().ScrollbarSize;
@@ -170,6 +228,7 @@ void radioButton(PanelContext& context, const std::string& name, std::size_t i, 
   context.buttons["cloth." + std::to_string(i)] = lastItemRect();
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  ImGui::EndDisabled();
 }
 
 /// What can be the cloth, in a box that scrolls when it does not all fit into the picture.
@@ -178,7 +237,8 @@ void clothChoice(PanelContext& context, const UiRect& view, const DropView& show
   ImGui::BeginChild("choices", {layout.width, layout.height});
   for (std::size_t i = 0; i < shown.names.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    radioButton(context, shown.names[i], i, layout, choices);
+    const bool canBeCloth = i >= shown.files.meshes.size() || !isBodyOnly(shown.files.meshes[i]);
+    radioButton(context, shown.names[i], i, layout, canBeCloth, choices);
     if (i < shown.files.meshes.size()) {
       meshRows(context, shown, i, layout, choices);
     }
@@ -215,7 +275,7 @@ DropAnswer buttonsOf(PanelContext& context, const DroppedFiles& files) {
   button("drop.open", "Open (Enter)", DropAnswer::Open, true);
   button("drop.place", "Place", DropAnswer::Place);
   button("drop.dress", "Dress", DropAnswer::Dress);
-  if (!files.alone.empty()) {
+  if (!files.alone.empty() && !isBodyOnly(files.alone)) {
     button("drop.alone",
            text::Sentence::verbatim(fitted(context.texts("Only {}", shortName(files.alone)),
                                            width - 2.0F * ImGui::GetStyle().FramePadding.x)),

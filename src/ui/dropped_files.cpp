@@ -1,5 +1,6 @@
 #include "ui/dropped_files.hpp"
 
+#include "io/animation_import.hpp"
 #include "io/mesh_import.hpp"
 #include "io/point_cache_import.hpp"
 #include "scene/reading_change.hpp"
@@ -22,10 +23,10 @@ bool hasBodyName(const std::string& file) {
                      [&](std::string_view word) { return name.find(word) != std::string::npos; });
 }
 
-/// A body by its name, or since a vertex cache of its name moves it.
+/// A body by its name or its format, or since a vertex cache of its name moves it.
 bool isBody(const DroppedFiles& files, const std::string& file) {
   const auto stem = [](const std::string& name) { return std::filesystem::path(name).stem(); };
-  return hasBodyName(file) ||
+  return hasBodyName(file) || isBodyOnly(file) ||
          std::ranges::any_of(files.caches, [&](const std::string& cache) { return stem(cache) == stem(file); });
 }
 
@@ -51,6 +52,11 @@ bool isGarmentAlone(const scene::Scene& present, const std::string& other) {
   return !garment.empty() && present.description.bodies.empty() && garment != other;
 }
 
+/// Whether the window has a figure without a garment, which is a cloth there, other than that file.
+bool isFigureAlone(const scene::Scene& present, const std::string& other) {
+  return present.summary.hasSkin && isGarmentAlone(present, other);
+}
+
 /// The garment in the window with a dropped body.
 DroppedFiles joinedAsBody(const scene::Scene& present, DroppedFiles files) {
   files.alone = files.meshes.front();
@@ -67,7 +73,17 @@ std::string listOf(const std::vector<std::string>& files) {
   return names;
 }
 
+/// What was found in the i-th mesh; null while that is not known.
+const scene::FoundMesh* meshIn(const DroppedFiles& files, std::size_t i, std::span<const FoundFile> found) {
+  const auto file = std::ranges::find(found, files.meshes[i], &FoundFile::file);
+  return file != found.end() && file->mesh ? &*file->mesh : nullptr;
+}
+
 }  // namespace
+
+bool isBodyOnly(const std::string& file) {
+  return io::isAnimationFile(file) && !io::isMeshFile(file);
+}
 
 std::string shortName(const std::string& file) {
   return std::filesystem::path(file).filename().string();
@@ -89,8 +105,9 @@ DroppedFiles sortDropped(const std::vector<std::string>& files) {
   DroppedFiles sorted;
   for (const std::string& file : files) {
     const bool scene = text::lowerCase(std::filesystem::path(file).extension().string()) == ".toml";
+    const bool mesh = io::isMeshFile(file) || io::isAnimationFile(file);
     (scene                    ? sorted.scenes
-     : io::isMeshFile(file)   ? sorted.meshes
+     : mesh                   ? sorted.meshes
      : io::isPointCache(file) ? sorted.caches
                               : sorted.others)
         .push_back(file);
@@ -99,7 +116,8 @@ DroppedFiles sortDropped(const std::vector<std::string>& files) {
 }
 
 std::optional<DroppedFiles> joinedIfBody(const scene::Scene& present, DroppedFiles files) {
-  if (files.meshes.size() != 1 || !files.scenes.empty() || !isGarmentAlone(present, files.meshes.front())) {
+  if (files.meshes.size() != 1 || !files.scenes.empty() || !isGarmentAlone(present, files.meshes.front()) ||
+      present.summary.hasSkin) {
     return std::nullopt;
   }
   return joinedAsBody(present, std::move(files));
@@ -115,9 +133,16 @@ DroppedFiles joinedWith(const scene::Scene& present, DroppedFiles files) {
   if (isGarmentAlone(present, dropped) && isBody(files, dropped)) {
     return joinedAsBody(present, std::move(files));
   }
-  if (description.opened && !bodies.empty() && !isBody(files, dropped)) {
+  if (isFigureAlone(present, dropped) && !isBody(files, dropped)) {
+    files.meshes.push_back(garmentIn(description));
+    files.readings = {{}, {present.settings.mesh.unit, present.settings.mesh.up}};
+  } else if (description.opened && !bodies.empty() && !isBody(files, dropped)) {
     files.meshes.insert(files.meshes.end(), bodies.begin(), bodies.end());
     files.readings = {{}};
+    files.motions = {{}};
+    for (const std::optional<std::string>& clip : description.parts.bodyClips) {
+      files.motions.push_back({true, clip});
+    }
     const std::size_t first = description.bodies.size() - std::min(bodies.size(), description.bodies.size());
     for (std::size_t i = first; i < description.bodies.size(); ++i) {
       files.readings.push_back(readingOfBody(present, i));
@@ -142,6 +167,10 @@ DropDecision decide(const DroppedFiles& files) {
   if (pieces == 0 && !unknown.empty()) {
     decision.open = scene::SceneParts{.scene = unknown.front()};  // opening it says what is wrong with it
     unknown.erase(unknown.begin());
+  } else if (pieces == 1 && files.scenes.empty() && isBodyOnly(files.meshes.front())) {
+    decision.notice.append(" ", text::Sentence("{} is a body: drop it together with a garment, or while a garment "
+                                               "without a body is open.",
+                                               shortName(files.meshes.front())));
   } else if (pieces == 1) {
     decision.open = scene::SceneParts{.scene = files.scenes.empty() ? files.meshes.front() : files.scenes.back()};
   }
@@ -173,18 +202,16 @@ scene::SceneParts partsWithCloth(const DroppedFiles& files, std::size_t cloth) {
 }
 
 DropChoices firstChoices(const DroppedFiles& files) {
-  DropChoices choices{likelyCloth(files), files.readings};
+  DropChoices choices{likelyCloth(files), files.readings, files.motions};
   choices.readings.resize(files.meshes.size());
+  choices.motions.resize(files.meshes.size());
   return choices;
 }
 
 std::vector<std::optional<scene::MeshReading>> readingsBy(const DroppedFiles& files, const DropChoices& choices,
                                                           std::span<const FoundFile> found) {
   std::vector<std::optional<scene::MeshReading>> readings(files.meshes.size());
-  const auto meshOf = [&](std::size_t i) -> const scene::FoundMesh* {
-    const auto file = std::ranges::find(found, files.meshes[i], &FoundFile::file);
-    return file != found.end() && file->mesh ? &*file->mesh : nullptr;
-  };
+  const auto meshOf = [&](std::size_t i) { return meshIn(files, i, found); };
   scene::MeshReading cloth;  // that of a scene: in metres
   const bool isMesh = choices.cloth < files.meshes.size();
   if (isMesh && meshOf(choices.cloth) != nullptr) {
@@ -200,6 +227,18 @@ std::vector<std::optional<scene::MeshReading>> readingsBy(const DroppedFiles& fi
   return readings;
 }
 
+std::optional<std::string> clipBy(const DroppedFiles& files, const DropChoices& choices, std::size_t i,
+                                  std::span<const FoundFile> found) {
+  const scene::FoundMesh* mesh = meshIn(files, i, found);
+  if (i == choices.cloth || mesh == nullptr || mesh->clips.empty()) {
+    return std::nullopt;
+  }
+  if (const MotionChoice& choice = choices.motions.at(i); choice.isChosen) {
+    return choice.clip;
+  }
+  return mesh->isSkinOnly || mesh->clips.size() == 1 ? std::optional(mesh->clips.front().name) : std::nullopt;
+}
+
 scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices, std::span<const FoundFile> found) {
   scene::SceneParts parts = partsWithCloth(files, choices.cloth);
   const std::vector<std::optional<scene::MeshReading>> readings = readingsBy(files, choices, found);
@@ -208,9 +247,13 @@ scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices,
         readings[i] ? scene::ReadingChoice{readings[i]->unit, readings[i]->up} : choices.readings.at(i);
     if (i == choices.cloth) {
       parts.clothReading = reading;
-    } else {
-      parts.bodyReadings.push_back(reading);
+      continue;
     }
+    parts.bodyClips.push_back(clipBy(files, choices, i, found));
+    // A file with clips states its unit and its up axis; only a glTF file may be read in another unit.
+    parts.bodyReadings.push_back(parts.bodyClips.back()
+                                     ? scene::ReadingChoice{choices.readings.at(i).unit, scene::ReadingChoice().up}
+                                     : reading);
   }
   return parts;
 }

@@ -10,6 +10,12 @@
 
 namespace drape::ui {
 
+/// How a body moves, as the user chooses it.
+struct MotionChoice {
+  bool isChosen = false;            ///< false: the only clip of its file, if there is one, or the first if it must move
+  std::optional<std::string> clip;  ///< absent: it stands
+};
+
 /// Files that were dropped on the window together, by kind.
 struct DroppedFiles {
   std::vector<std::string> scenes;
@@ -21,23 +27,26 @@ struct DroppedFiles {
   /// How the meshes that are in the window already are read, one for each of `meshes`; the others are "auto". Empty:
   /// all are.
   std::vector<scene::ReadingChoice> readings = {};
+  std::vector<MotionChoice> motions = {};  ///< the same for their motions
 };
 
 /// The answers of the user about dropped files.
 struct DropChoices {
   std::size_t cloth = 0;                       ///< index of the mesh that is the cloth, see partsWithCloth()
   std::vector<scene::ReadingChoice> readings;  ///< one for each mesh
+  std::vector<MotionChoice> motions;           ///< one for each mesh
 };
 
 /// Sorts files by their endings; the order within each kind stays.
 [[nodiscard]] DroppedFiles sortDropped(const std::vector<std::string>& files);
 
 /// A mesh that is dropped alone may go with what is in the window: a body with the garment that was opened from a file,
-/// or a garment with the body of the scene. Then the result has both, and the user must say what to do.
+/// or a garment with the body of the scene or with a figure with bones that was opened as a cloth. Then the result has
+/// both, and the user must say what to do.
 [[nodiscard]] DroppedFiles joinedWith(const scene::Scene& present, DroppedFiles files);
 
 /// The same where the name of the mesh does not say that it is a body: what the user must say if the mesh turns out to
-/// be closed. Empty where there is no garment without a body in the window.
+/// be closed or to have bones. Empty where there is no garment without a body in the window.
 [[nodiscard]] std::optional<DroppedFiles> joinedIfBody(const scene::Scene& present, DroppedFiles files);
 
 /// The next step for dropped files.
@@ -62,6 +71,13 @@ struct DropDecision {
 [[nodiscard]] std::vector<std::optional<scene::MeshReading>> readingsBy(const DroppedFiles& files,
                                                                         const DropChoices& choices,
                                                                         std::span<const FoundFile> found);
+
+/// The clip that moves the i-th mesh by these choices, as far as it is known; absent: it stands, or it is the cloth.
+[[nodiscard]] std::optional<std::string> clipBy(const DroppedFiles& files, const DropChoices& choices, std::size_t i,
+                                                std::span<const FoundFile> found);
+
+/// Whether the file can be a body only: its format is not that of a mesh.
+[[nodiscard]] bool isBodyOnly(const std::string& file);
 
 /// The parts by these choices. The files are read as readingsBy() says, so that the user gets what is shown.
 [[nodiscard]] scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices,

@@ -1,4 +1,5 @@
 // Dressing in the window: dropped files, the command line, and bodies that pass through the cloth.
+#include "animation_files.hpp"
 #include "intersection/intersections.hpp"
 #include "viewer_driver.hpp"
 
@@ -211,6 +212,34 @@ TEST(DressingInTheWindow, AnotherUnitBeforeAndAfterPlacingIsAppliedAtOnce) {
   const Json back = viewer.waitUntil("the garment in feet",
                                      [&](const Json& s) { return isPlaced(s) && s["placing"]["unit"] == "foot"; });
   EXPECT_NEAR(height(back), height(small), 1e-6);
+}
+
+TEST(DressingInTheWindow, AClipThatIsChosenForADroppedBodyMovesItAndIsReplayed) {
+  const TemporaryFolder folder;
+  const auto body = folder.path() / "body.gltf";
+  io::BarFile bar;
+  bar.isSolid = true;
+  std::ofstream(body) << bar.text();
+  const auto log = folder.path() / "session.json";
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({wardrobe.shirt(), "--record", log.string()});
+  ASSERT_TRUE(viewer.drop({body.string()}));
+  viewer.waitUntil("the list of clips", [](const Json& s) { return hasButton(s, "drop.1.motion"); });
+  viewer.click(viewer.find("drop.1.motion"));
+  viewer.waitUntil("the clips", [](const Json& s) { return hasButton(s, "drop.1.motion.1"); });
+  viewer.click(viewer.find("drop.1.motion.0"));
+  viewer.waitUntil("the choice", [](const Json& s) { return !hasButton(s, "drop.1.motion.1"); });
+  viewer.click(viewer.find("button.drop.open"));
+  viewer.waitUntil("the body", [](const Json& s) { return s["bodies"].size() == 1; });
+  viewer.waitUntil("some steps", [](const Json& s) { return s["step"] > 5; });
+  viewer.tap("Escape");
+  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
+  std::ifstream text(log);
+  EXPECT_EQ(Json::parse(text)["clips"], Json::array({"bend"}));
+  const auto output = folder.path() / "output.txt";
+  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
+  std::ifstream replay(output);
+  EXPECT_EQ(status, 0) << replay.rdbuf();
 }
 
 TEST(DressingInTheWindow, AGarmentThatIsDroppedOnABodyIsWornAfterOneClick) {

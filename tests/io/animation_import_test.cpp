@@ -4,6 +4,7 @@
 #include "input_error.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -144,6 +145,29 @@ TEST(AnimationImport, tellsTheClipsWhenItCannotChoose) {
   EXPECT_TRUE(
       contains(problemOf({}, clipAt("", 10.0)), "there are several clips in it. Choose one of 'bend', 'still'"));
   EXPECT_TRUE(contains(problemOf({}, clipAt("jump", 10.0)), "there is no clip 'jump'. Choose one of 'bend', 'still'"));
+}
+
+TEST(AnimationImport, listsTheClipsOfAFileWithItsBindPose) {
+  const Files files;
+  BarFile bar;
+  bar.upperPose = R"(, "rotation": [0, 0, 0.7071068, 0.7071068])";
+  const BindPose pose = importBindPose(files.write("bar.gltf", bar.text()), {});
+  EXPECT_EQ(pose.clips, (std::vector<ClipFacts>{{"bend", 2.0}, {"still", 2.0}}));
+  EXPECT_NEAR(pose.mesh.summary.size[1], 2.0, 1e-6) << "it is straight";
+
+  const BindPose fbx = importBindPose(std::filesystem::path(DRAPE_IO_TESTS_FOLDER) / "bar.fbx", {});
+  const auto bend = std::ranges::find(fbx.clips, "bend", &ClipFacts::name);
+  ASSERT_NE(bend, fbx.clips.end());
+  EXPECT_NEAR(bend->duration, 2.0, 1e-6);
+  EXPECT_NEAR(fbx.mesh.summary.size[1], 0.02, 1e-6) << "in metres";
+}
+
+TEST(AnimationImport, listsNoClipThatCannotBePlayed) {
+  BarFile bar;
+  bar.times = {0.0F, 0.0F, 0.0F};
+  const Files files;
+  const BindPose pose = importBindPose(files.write("bar.gltf", bar.text()), {});
+  EXPECT_TRUE(std::ranges::none_of(pose.clips, [](const ClipFacts& clip) { return clip.name == "bend"; }));
 }
 
 TEST(AnimationImport, scalesToMetres) {

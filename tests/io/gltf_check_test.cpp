@@ -43,7 +43,7 @@ class GltfBuffers : public testing::Test {
 };
 
 TEST_F(GltfBuffers, takesInTheBufferBesideTheFile) {
-  EXPECT_TRUE(contains(gltfWithBuffers(gltf("a%20b.bin"), root_ / "inner"), "base64,YWFhYWFh"));
+  EXPECT_TRUE(contains(gltfWithBuffers(gltf("a%20b.bin"), root_ / "inner").file, "base64,YWFhYWFh"));
 }
 
 TEST_F(GltfBuffers, readsNoFileOfAnotherFolder) {
@@ -97,7 +97,7 @@ std::string glbProblem(const std::string& bytes) {
 
 TEST(GltfCheck, reportsATruncationOfABinaryFileAtEveryByte) {
   const std::string whole = glb();
-  EXPECT_EQ(glbWithMesh(whole).substr(0, 4), "glTF");
+  EXPECT_EQ(glbWithMesh(whole).file.substr(0, 4), "glTF");
   for (std::size_t size = 1; size < whole.size(); ++size) {
     EXPECT_TRUE(contains(glbProblem(whole.substr(0, size)), "cut off")) << size << " bytes";
   }

@@ -26,6 +26,12 @@ TEST(ImportProtocol, bringsAMeshAcrossUnchanged) {
   EXPECT_EQ(reply.error, "");
 }
 
+TEST(ImportProtocol, bringsTheClipsAcross) {
+  ImportReply reply = someReply();
+  reply.clips = {{"walk", 1.25}, {"", 3.0}};
+  EXPECT_EQ(decodeReply(encodeReply(reply)).clips, reply.clips);
+}
+
 TEST(ImportProtocol, bringsAnErrorAcross) {
   ImportReply reply;
   reply.error = "there is no mesh in it.";

@@ -5,6 +5,12 @@
 namespace drape::ui {
 namespace {
 
+scene::FoundMesh figure(std::vector<io::ClipFacts> clips) {
+  scene::FoundMesh found{.format = {1.0, 'y'}, .extent = {1.0, 1.7, 0.4}, .upOfShape = "y"};
+  found.clips = std::move(clips);
+  return found;
+}
+
 TEST(DroppedFiles, AreSortedByTheirEndings) {
   const DroppedFiles files = sortDropped({"/a/Coat.OBJ", "/a/room.toml", "/a/notes.txt", "/a/body.stl"});
   EXPECT_EQ(files.meshes, (std::vector<std::string>{"/a/Coat.OBJ", "/a/body.stl"}));
@@ -126,6 +132,18 @@ TEST(DroppedFiles, AMeshOfAnotherNameMayTurnOutToBeABody) {
   EXPECT_FALSE(joinedIfBody(scene::Scene(), dropped)) << "there is no garment";
 }
 
+TEST(DroppedFiles, AGarmentGoesOnAFigureWithBonesThatWasOpenedAlone) {
+  scene::Scene present = openedGarment();
+  present.description.parts = {.scene = "/a/anna.glb"};
+  present.summary.hasSkin = true;
+  const DroppedFiles files = joinedWith(present, sortDropped({"/a/shirt.obj"}));
+  EXPECT_TRUE(decide(files).ask);
+  const scene::SceneParts parts = partsBy(files, firstChoices(files), {});
+  EXPECT_EQ(parts.cloth, "/a/shirt.obj");
+  EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/anna.glb"}));
+  EXPECT_FALSE(joinedIfBody(present, sortDropped({"/a/shirt.obj"}))) << "it goes on the figure already";
+}
+
 TEST(DroppedFiles, AGarmentGoesWithTheBodyOfTheScene) {
   scene::Scene present;
   present.description.parts.scene = "walk";
@@ -141,6 +159,7 @@ TEST(DroppedFiles, AnotherGarmentGoesWithTheBodyThatWasOpenedWithTheFirst) {
   scene::Scene present = openedGarment();
   present.description.parts = {.cloth = "/a/coat.obj", .bodies = {"/a/person.obj"}, .dressed = true};
   present.description.bodies = {meshBody()};
+  present.description.parts.bodyClips = {std::nullopt};
   present.description.bodies.front().reading = scene::ReadingChoice{"mm", "z"};
   const DroppedFiles files = joinedWith(present, sortDropped({"/a/shirt.obj"}));
   const scene::SceneParts parts = partsBy(files, firstChoices(files), {});
@@ -149,6 +168,10 @@ TEST(DroppedFiles, AnotherGarmentGoesWithTheBodyThatWasOpenedWithTheFirst) {
   EXPECT_EQ(parts.bodies, (std::vector<std::string>{"/a/person.obj"}));
   EXPECT_EQ(parts.clothReading, scene::ReadingChoice());
   EXPECT_EQ(parts.bodyReadings, (std::vector<scene::ReadingChoice>{{"mm", "z"}})) << "the body stays as it is";
+  present.description.parts.bodyClips = {"run"};
+  const DroppedFiles moving = joinedWith(present, sortDropped({"/a/shirt.obj"}));
+  const std::vector<FoundFile> found{{"/a/person.obj", figure({{"walk", 1.2}, {"run", 0.8}}), {}}};
+  EXPECT_EQ(clipBy(moving, firstChoices(moving), 1, found), "run") << "it still moves as it did";
 }
 
 TEST(DroppedFiles, AGarmentAfterAGarmentIsOpenedAtOnce) {
@@ -157,6 +180,43 @@ TEST(DroppedFiles, AGarmentAfterAGarmentIsOpenedAtOnce) {
   bare.description.parts.scene = "flag";
   EXPECT_TRUE(decide(joinedWith(bare, sortDropped({"/a/shirt.obj"}))).open);
   EXPECT_TRUE(decide(joinedWith(bare, sortDropped({"/a/body.obj"}))).open);
+}
+
+TEST(DroppedFiles, TheOnlyClipOfABodyMovesItAndOneOfSeveralIsChosen) {
+  const DroppedFiles files = sortDropped({"/a/coat.obj", "/a/body.glb"});
+  std::vector<FoundFile> found{{"/a/coat.obj", figure({}), {}}, {"/a/body.glb", figure({{"walk", 1.2}}), {}}};
+  DropChoices choices = firstChoices(files);
+  EXPECT_EQ(partsBy(files, choices, found).bodyClips, (std::vector<std::optional<std::string>>{"walk"}));
+  choices.motions[1] = {true, std::nullopt};
+  EXPECT_EQ(partsBy(files, choices, found).bodyClips, (std::vector<std::optional<std::string>>{std::nullopt}))
+      << "the user wants it to stand";
+  found[1].mesh = figure({{"walk", 1.2}, {"run", 0.8}});
+  EXPECT_FALSE(clipBy(files, firstChoices(files), 1, found)) << "which one is not known";
+  choices.motions[1] = {true, "run"};
+  const scene::SceneParts parts = partsBy(files, choices, found);
+  EXPECT_EQ(parts.bodyClips, (std::vector<std::optional<std::string>>{"run"}));
+  EXPECT_EQ(parts.bodyReadings, (std::vector<scene::ReadingChoice>{{}})) << "its file states unit and up axis";
+  EXPECT_FALSE(clipBy(files, choices, 0, found)) << "it is the cloth";
+}
+
+TEST(DroppedFiles, AFormatOfAnimationsAloneIsABodyThatMoves) {
+  const DroppedFiles files = sortDropped({"/a/anna.fbx", "/a/coat.obj"});
+  EXPECT_EQ(likelyCloth(files), 1U);
+  scene::FoundMesh anna = figure({{"walk", 1.2}, {"run", 0.8}});
+  anna.isSkinOnly = true;
+  const std::vector<FoundFile> found{{"/a/anna.fbx", anna, {}}, {"/a/coat.obj", figure({}), {}}};
+  EXPECT_EQ(partsBy(files, firstChoices(files), found).bodyClips, (std::vector<std::optional<std::string>>{"walk"}));
+  const DroppedFiles joined = joinedWith(openedGarment(), sortDropped({"/a/anna.fbx"}));
+  EXPECT_EQ(joined.meshes, (std::vector<std::string>{"/a/coat.obj", "/a/anna.fbx"}))
+      << "with the garment in the window";
+}
+
+TEST(DroppedFiles, ABodyWithoutAGarmentIsNotOpenedAndTheNoticeSaysWhatToDo) {
+  const DropDecision decision = decide(sortDropped({"/a/anna.fbx"}));
+  EXPECT_FALSE(decision.open);
+  EXPECT_FALSE(decision.ask);
+  EXPECT_NE(decision.notice.english().find("anna.fbx is a body: drop it together with a garment"), std::string::npos)
+      << decision.notice.english();
 }
 
 TEST(DroppedFiles, AreReadAsTheUserSees) {

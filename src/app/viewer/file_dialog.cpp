@@ -1,5 +1,6 @@
 #include "app/viewer/file_dialog.hpp"
 
+#include "io/animation_import.hpp"
 #include "io/mesh_import.hpp"
 
 #include <fcntl.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -18,9 +20,13 @@ namespace drape::app {
 namespace {
 
 std::vector<std::string> argumentsFor(const std::string& folder, const text::Catalogue& texts) {
-  std::string patterns = "*.toml";
-  for (const std::string& format : io::meshFormats()) {
-    patterns += " *." + format;
+  std::set<std::string> formats{"toml", "pc2", "mdd"};
+  for (const std::vector<std::string>& some : {io::meshFormats(), io::animationFormats()}) {
+    formats.insert(some.begin(), some.end());
+  }
+  std::string patterns;
+  for (const std::string& format : formats) {
+    patterns += (patterns.empty() ? "*." : " *.") + format;
   }
   std::vector<std::string> arguments{std::string(FileDialog::program),
                                      "--file-selection",

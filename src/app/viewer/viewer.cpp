@@ -290,7 +290,11 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
     text::Sentence notice("Opened {}", outcome->scene->description.name);
-    showNotice(notice.append(". ", std::exchange(notOpened_, {})));
+    notice.append(". ", std::exchange(notOpened_, {}));
+    if (outcome->scene->summary.hasSkin) {
+      notice.append(". ", text::Sentence("It is a figure with bones: drop a garment to dress it"));
+    }
+    showNotice(notice);
   }
 }
 

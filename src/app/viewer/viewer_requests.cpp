@@ -46,7 +46,8 @@ void Viewer::askAbout(const ui::DroppedFiles& files) {
 /// Whether the opened mesh is closed, so that it may be the body for the garment in the window. Then the user is asked.
 bool Viewer::asksAboutBody(const scene::Scene& opened) {
   const std::optional<ui::DroppedFiles> files = std::exchange(perhapsBody_, std::nullopt);
-  if (!files || opened.description.parts.scene != files->alone || opened.summary.boundaryLoops > 0) {
+  const bool looksLikeBody = opened.summary.hasSkin || opened.summary.boundaryLoops == 0;
+  if (!files || opened.description.parts.scene != files->alone || !looksLikeBody) {
     return false;
   }
   askAbout(*files);

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace drape::io {
+
+/// A clip of a file with a skeletal animation.
+struct ClipFacts {
+  std::string name;       ///< empty if it has none
+  double duration = 0.0;  ///< [s]
+
+  bool operator==(const ClipFacts&) const = default;
+};
+
+}  // namespace drape::io
