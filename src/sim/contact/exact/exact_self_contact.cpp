@@ -249,7 +249,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
                                              state.positions, memory->patches);
   const Vec3 commonVelocity = common / step.parameters.timeStep;
   removeApproach(
-      before_, [&](std::size_t) { return commonVelocity; }, step.parameters.timeStep, state);
+      before_, [&](std::size_t) -> const Vec3& { return commonVelocity; }, step.parameters.timeStep, state);
   state.hasNoSelfIntersection = result.crossings == 0 && result.touching == 0 && entangled_.empty();
   state.selfContact = memory;
   return result.crossings;
