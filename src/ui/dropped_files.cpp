@@ -15,12 +15,15 @@
 namespace drape::ui {
 namespace {
 
+/// A name with the word of a body, and with none of a garment: "avatar_shirt.obj" is a garment.
 bool hasBodyName(const std::string& file) {
-  static constexpr std::array<std::string_view, 9> words{"body",   "avatar", "mannequin", "figure", "human",
-                                                         "person", "woman",  "smpl",      "dummy"};
+  static constexpr std::array<std::string_view, 9> bodies{"body",   "avatar", "mannequin", "figure", "human",
+                                                          "person", "woman",  "smpl",      "dummy"};
+  static constexpr std::array<std::string_view, 10> garments{"shirt", "dress",  "skirt", "trouser", "pants",
+                                                             "coat",  "jacket", "polo",  "blouse",  "garment"};
   const std::string name = text::lowerCase(shortName(file));
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view word) { return name.find(word) != std::string::npos; });
+  const auto isInName = [&](std::string_view word) { return name.find(word) != std::string::npos; };
+  return std::ranges::any_of(bodies, isInName) && std::ranges::none_of(garments, isInName);
 }
 
 /// A body by its name or its format, or since a vertex cache of its name moves it.

@@ -144,6 +144,16 @@ TEST(DroppedFiles, AGarmentGoesOnAFigureWithBonesThatWasOpenedAlone) {
   EXPECT_FALSE(joinedIfBody(present, sortDropped({"/a/shirt.obj"}))) << "it goes on the figure already";
 }
 
+TEST(DroppedFiles, ANameWithTheWordOfAGarmentIsNoBody) {
+  EXPECT_EQ(likelyCloth(sortDropped({"/a/anna.obj", "/a/avatar_tshirt.obj"})), 0U);
+  EXPECT_EQ(likelyCloth(sortDropped({"/a/avatar.obj", "/a/avatar_tshirt.obj"})), 1U);
+  scene::Scene present = openedGarment();
+  present.description.parts = {.scene = "/a/anna.glb"};
+  present.summary.hasSkin = true;
+  const DroppedFiles files = joinedWith(present, sortDropped({"/a/avatar_tshirt.obj"}));
+  EXPECT_EQ(partsBy(files, firstChoices(files), {}).cloth, "/a/avatar_tshirt.obj");
+}
+
 TEST(DroppedFiles, AGarmentGoesWithTheBodyOfTheScene) {
   scene::Scene present;
   present.description.parts.scene = "walk";
