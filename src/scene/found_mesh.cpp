@@ -42,8 +42,7 @@ FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch) {
   options.outliers = io::OutlierRule::LeaveOut;
   options.watch = watch;
   const MeshFileSource source = wearSource(file);
-  const bool hasClips = !source.builtIn && io::isAnimationFile(file);
-  if (hasClips && !io::isMeshFile(file)) {
+  if (!source.builtIn && io::isAnimationFile(file) && !io::isMeshFile(file)) {
     io::BindPose pose = io::importBindPose(file, options);
     FoundMesh found = foundIn(pose.mesh);
     found.clips = std::move(pose.clips);
@@ -55,7 +54,7 @@ FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch) {
     mesh.format = {1.0, 'y'};
   }
   FoundMesh found = foundIn(mesh);
-  if (hasClips) {
+  if (mesh.summary.hasSkin) {
     found.clips = clipsBeside(file, options);
   }
   return found;

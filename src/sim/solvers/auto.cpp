@@ -5,6 +5,7 @@
 #include "sim/adaptive/step_memory.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/forces/diagnostics.hpp"
+#include "sim/forces/external_forces.hpp"
 #include "sim/forces/forces.hpp"
 #include "sim/forces/stability.hpp"
 #include "sim/model/model_cache.hpp"
@@ -490,8 +491,7 @@ std::optional<SolverWarning> costWarning(const ClothModel& model, const StepPara
 
 /// Whether the lift of eq. 20 acts, which AdaptiveRun limits.
 bool limitsLift(const ClothModel& model, const AirParameters& air) {
-  const bool isPlate = air.model == AirModel::Plate || (air.model == AirModel::Auto && model.fabric);
-  return !isPlate && air.lift > 0.0 && air.density > 0.0;
+  return !actsAsPlate(model, air) && air.lift > 0.0 && air.density > 0.0;
 }
 
 /// One warning, the most important one.

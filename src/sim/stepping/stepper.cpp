@@ -42,6 +42,11 @@ constexpr int maxRepetitions = 3;
 constexpr double maxCorrectionInEdges = 0.2;
 constexpr double maxFinerSubsteps = 4.0;
 
+/// Whether a step is repeated in shorter contact substeps if contact moves a vertex too far.
+bool repeatsInShorterParts(const SolverInfo& solver, const StepParameters& parameters) {
+  return !solver.resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact;
+}
+
 /// The largest distance of a vertex in one list from itself in the other [m].
 double largestDistance(const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
   double largest = 0.0;  // squared
@@ -182,9 +187,8 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
     dampFabric(model, parameters, inputs, state);
   }
   contactSubsteps_ = contactSubstepsOf(model, parameters, inputs, state) * refinement;
-  return info_->resolvesContacts || parameters.contact.self != contact::SelfCollision::Exact
-             ? stepInParts(model, parameters, inputs, state)
-             : stepInShorterParts(model, parameters, inputs, state);
+  return repeatsInShorterParts(*info_, parameters) ? stepInShorterParts(model, parameters, inputs, state)
+                                                   : stepInParts(model, parameters, inputs, state);
 }
 
 /// A step in the present number of contact substeps.
@@ -309,7 +313,8 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   total.contact = total.choice && total.choice->sleeping
                       ? contact_.keepLast()
                       : contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
-  if (const ClothState* unresolved = contact_.unresolved()) {
+  const ClothState* unresolved = repeatsInShorterParts(*info_, parameters) ? contact_.unresolved() : nullptr;
+  if (unresolved != nullptr) {
     largestCorrection_ = std::max(largestCorrection_, largestDistance(unresolved->positions, state.positions));
   }
   if (keepsContactLoads_ && !(total.choice && total.choice->sleeping)) {
