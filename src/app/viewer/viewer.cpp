@@ -291,7 +291,7 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     newScene_ = outcome->scene;
     text::Sentence notice("Opened {}", outcome->scene->description.name);
     notice.append(". ", std::exchange(notOpened_, {}));
-    if (outcome->scene->summary.hasSkin) {
+    if (outcome->scene->summary.hasSkin && outcome->scene->description.bodies.empty()) {
       notice.append(". ", text::Sentence("It is a figure with bones: drop a garment to dress it"));
     }
     showNotice(notice);
