@@ -34,7 +34,7 @@ std::string clipNames(const aiScene& scene) {
   return names;
 }
 
-/// [s]
+/// The length of a clip [s].
 double durationOf(const aiAnimation& clip) {
   return clip.mDuration / (clip.mTicksPerSecond > 0.0 ? clip.mTicksPerSecond : usualTicks);
 }

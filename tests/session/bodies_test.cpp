@@ -37,12 +37,15 @@ shape = "sphere"
 radius = 0.1
 )";
 
-/// A free sheet on a table, and a ball beside it.
-std::shared_ptr<const scene::Scene> sheetOnTable() {
-  return sceneOf(std::string(R"(
+constexpr const char* freeSheet = R"(
 [cloth]
 grid = "horizontal"
 position = [0, 0.505, 0]
+)";
+
+/// A free sheet on a table, and a ball beside it.
+std::shared_ptr<const scene::Scene> sheetOnTable() {
+  return sceneOf(std::string(freeSheet) + R"(
 [[bodies]]
 name = "table"
 shape = "box"
@@ -50,7 +53,7 @@ size = [1.6, 0.1, 1.0]
 position = [0, 0.45, 0]
 static_friction = 0.3
 kinetic_friction = 0.2
-)") + ball + "position = [-0.5, 0.605, 0]\n" +
+)" + ball + "position = [-0.5, 0.605, 0]\n" +
                  settings);
 }
 
@@ -288,15 +291,12 @@ TEST(Bodies, contactsAreInASnapshotOnlyWhenTheyAreToBeDrawn) {
 
 /// A free sheet above a box of this height.
 std::shared_ptr<const scene::Scene> sheetOverBox(double height) {
-  return sceneOf(std::string(R"(
-[cloth]
-grid = "horizontal"
-position = [0, 0.505, 0]
+  return sceneOf(std::string(freeSheet) + R"(
 [[bodies]]
 name = "box"
 shape = "box"
 position = [0, 0, 0]
-size = [1, )") + std::to_string(height) +
+size = [1, )" + std::to_string(height) +
                  ", 1]\n" + settings);
 }
 

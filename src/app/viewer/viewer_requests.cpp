@@ -43,7 +43,8 @@ void Viewer::askAbout(const ui::DroppedFiles& files) {
   finder_.find(files.meshes);
 }
 
-/// Whether the opened mesh is closed, so that it may be the body for the garment in the window. Then the user is asked.
+/// Whether the opened mesh is closed or has bones, so that it may be the body for the garment in the window. Then the
+/// user is asked.
 bool Viewer::asksAboutBody(const scene::Scene& opened) {
   const std::optional<ui::DroppedFiles> files = std::exchange(perhapsBody_, std::nullopt);
   const bool looksLikeBody = opened.summary.hasSkin || opened.summary.boundaryLoops == 0;

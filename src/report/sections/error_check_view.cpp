@@ -93,8 +93,7 @@ std::vector<Block> showErrorCheck(const ReportOptions&, const ReportRows& rows) 
   blocks.emplace_back(Paragraph{inOneLine(countChecks(rows))});
   blocks.emplace_back(Paragraph{
       "With 'error_check' Drape compares 0.2 s of the motion with that of 'auto' in double with finer steps, and with "
-      "a "
-      "second such motion whose start differs by 0.001 mm. 'Spread' is the distance between the two finer motions. "
+      "a second such motion whose start differs by 0.001 mm. 'Spread' is the distance between the two finer motions. "
       "Drape shows the error, or says that it cannot be known because tiny differences grow too fast. The table "
       "compares the error with the distance from a converged reference, and the spread with 'jitter': the distance "
       "between two converged motions whose starts differ by up to 0.001 mm. A row is red where an error that is given, "

@@ -46,8 +46,8 @@ std::vector<Block> showErrorSources(const ReportOptions&, const ReportRows& rows
       "How far the cloth moves when one thing changes and all else stays, as the mean distance of the vertices. "
       "'Solver auto' and 'solver newton' (backward Euler with 1/150 s) are compared with 'auto' in double with a "
       "tolerance of 0.1 um. 'Mesh' compares with a grid of half the cell size, at the vertices of both, and shows "
-      "twice "
-      "the distance, which is the error if it halves with the cells. 'Diagonals' compares with the same grid whose "
+      "twice the distance, which is the error if it halves with the cells. 'Diagonals' compares with the same grid "
+      "whose "
       "diagonals are turned: the motion of a symmetric cloth with its mirror image. 'Material' compares with a "
       "material that is stiffer by 10 % in stretch, shear and bending; figures for real fabrics are rarely better "
       "known. 'Jitter' is the distance after a change of the start by up to 0.001 mm."});

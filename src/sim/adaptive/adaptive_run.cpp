@@ -70,7 +70,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                EnergyRequest request) {
   cloth_ = &cloths_.get(model);
   step_ = simd::sliceStepOf<T>(parameters, {});
-  // Where lift of any slope is allowed, it is that of eq. 20, but cloth along the wind still slides with a part of it.
+  // With a rise as steep as this the lift is that of eq. 20. At the jump it takes a value between those of both sides.
   constexpr double steep = 1e9;
   step_.liftRise = static_cast<T>((plan.fullLift ? steep : 1.0) * kernels::liftRise(parameters.air.density));
   const double substep = parameters.timeStep / plan.substeps;
