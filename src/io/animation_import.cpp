@@ -128,6 +128,10 @@ bool isAnimationFile(const fs::path& file) {
   return std::ranges::find(formats, formatOf(file)) != formats.end();
 }
 
+bool isOnlyAnimationFile(const fs::path& file) {
+  return isAnimationFile(file) && !isMeshFile(file);
+}
+
 AnimatedMesh importAnimation(const fs::path& file, const AnimationOptions& options) {
   return joined(replyAbout(file,
                            {options.clip, fmt::format("{}", options.rate), fmt::format("{}", options.metresPerUnit),

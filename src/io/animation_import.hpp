@@ -43,6 +43,9 @@ struct BindPose {
 /// Whether the extension is that of a format with skeletal animation.
 [[nodiscard]] bool isAnimationFile(const std::filesystem::path& file);
 
+/// Whether it is one of them that is not read as a mesh: the file can only be a body that a clip moves.
+[[nodiscard]] bool isOnlyAnimationFile(const std::filesystem::path& file);
+
 /// Reads the clip of a skeletal animation and computes the positions of its frames (linear blend skinning, as the
 /// formats define it). A child process with limits of memory and time does this. y is up. Vertices that stay together
 /// in all frames become one. Throws InputError (also for a clip that does not exist, with the names of those that do)

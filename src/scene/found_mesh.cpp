@@ -42,11 +42,11 @@ FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch) {
   options.outliers = io::OutlierRule::LeaveOut;
   options.watch = watch;
   const MeshFileSource source = wearSource(file);
-  if (!source.builtIn && io::isAnimationFile(file) && !io::isMeshFile(file)) {
+  if (!source.builtIn && io::isOnlyAnimationFile(file)) {
     io::BindPose pose = io::importBindPose(file, options);
     FoundMesh found = foundIn(pose.mesh);
     found.clips = std::move(pose.clips);
-    found.isSkinOnly = true;
+    found.isOnlyAnimation = true;
     return found;
   }
   io::ImportedMesh mesh = readMesh(source, options);

@@ -18,7 +18,7 @@ struct FoundMesh {
   int vertices = 0;            ///< after the weld
   int triangles = 0;
   std::vector<io::ClipFacts> clips = {};  ///< that can move it as a body
-  bool isSkinOnly = false;  ///< whether its format is not that of a mesh: it can only be a body that a clip moves
+  bool isOnlyAnimation = false;           ///< see io::isOnlyAnimationFile
 };
 
 /// @param mesh imported with one metre per unit

@@ -1,3 +1,4 @@
+#include "io/animation_import.hpp"
 #include "scene/garment_on_body.hpp"
 #include "ui/dropped_files.hpp"
 #include "ui/panels.hpp"
@@ -95,7 +96,7 @@ DropLayout layoutOf(const PanelContext& context, const UiRect& view, const DropV
   const float block = 3.0F * row + 2.0F * ImGui::GetTextLineHeightWithSpacing() + style.ItemSpacing.y;
   const auto meshes = static_cast<float>(shown.files.meshes.size());
   const auto moving = std::ranges::count_if(shown.found, [](const FoundFile& file) {
-    return file.mesh && !file.mesh->isSkinOnly && !file.mesh->clips.empty();
+    return file.mesh && !file.mesh->isOnlyAnimation && !file.mesh->clips.empty();
   });
   const float all =
       block * meshes + row * (static_cast<float>(shown.names.size()) - meshes + static_cast<float>(moving));
@@ -140,7 +141,7 @@ void motionRow(PanelContext& context, const scene::FoundMesh& mesh, const std::o
   if (!isOpen) {
     return;
   }
-  if (!mesh.isSkinOnly && ImGui::Selectable(still.c_str(), !present)) {
+  if (!mesh.isOnlyAnimation && ImGui::Selectable(still.c_str(), !present)) {
     choice = {true, std::nullopt};
   }
   for (std::size_t i = 0; i < mesh.clips.size(); ++i) {
@@ -191,7 +192,7 @@ void factRows(PanelContext& context, const DropView& shown, const FoundFile& fil
   if (use == io::MeshUse::Body && !file.mesh->clips.empty()) {
     motionRow(context, *file.mesh, clip, name + ".motion", layout, choices.motions[i]);
   }
-  if (!file.mesh->isSkinOnly) {
+  if (!file.mesh->isOnlyAnimation) {
     readingRows(context, *file.mesh, reading, use, name, layout, clip.has_value(), choices.readings[i]);
   }
 }
@@ -237,7 +238,7 @@ void clothChoice(PanelContext& context, const UiRect& view, const DropView& show
   ImGui::BeginChild("choices", {layout.width, layout.height});
   for (std::size_t i = 0; i < shown.names.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    const bool canBeCloth = i >= shown.files.meshes.size() || !isBodyOnly(shown.files.meshes[i]);
+    const bool canBeCloth = i >= shown.files.meshes.size() || !io::isOnlyAnimationFile(shown.files.meshes[i]);
     radioButton(context, shown.names[i], i, layout, canBeCloth, choices);
     if (i < shown.files.meshes.size()) {
       meshRows(context, shown, i, layout, choices);
@@ -275,7 +276,7 @@ DropAnswer buttonsOf(PanelContext& context, const DroppedFiles& files) {
   button("drop.open", "Open (Enter)", DropAnswer::Open, true);
   button("drop.place", "Place", DropAnswer::Place);
   button("drop.dress", "Dress", DropAnswer::Dress);
-  if (!files.alone.empty() && !isBodyOnly(files.alone)) {
+  if (!files.alone.empty() && !io::isOnlyAnimationFile(files.alone)) {
     button("drop.alone",
            text::Sentence::verbatim(fitted(context.texts("Only {}", shortName(files.alone)),
                                            width - 2.0F * ImGui::GetStyle().FramePadding.x)),

@@ -29,7 +29,7 @@ bool hasBodyName(const std::string& file) {
 /// A body by its name or its format, or since a vertex cache of its name moves it.
 bool isBody(const DroppedFiles& files, const std::string& file) {
   const auto stem = [](const std::string& name) { return std::filesystem::path(name).stem(); };
-  return hasBodyName(file) || isBodyOnly(file) ||
+  return hasBodyName(file) || io::isOnlyAnimationFile(file) ||
          std::ranges::any_of(files.caches, [&](const std::string& cache) { return stem(cache) == stem(file); });
 }
 
@@ -83,10 +83,6 @@ const scene::FoundMesh* meshIn(const DroppedFiles& files, std::size_t i, std::sp
 }
 
 }  // namespace
-
-bool isBodyOnly(const std::string& file) {
-  return io::isAnimationFile(file) && !io::isMeshFile(file);
-}
 
 std::string shortName(const std::string& file) {
   return std::filesystem::path(file).filename().string();
@@ -170,7 +166,7 @@ DropDecision decide(const DroppedFiles& files) {
   if (pieces == 0 && !unknown.empty()) {
     decision.open = scene::SceneParts{.scene = unknown.front()};  // opening it says what is wrong with it
     unknown.erase(unknown.begin());
-  } else if (pieces == 1 && files.scenes.empty() && isBodyOnly(files.meshes.front())) {
+  } else if (pieces == 1 && files.scenes.empty() && io::isOnlyAnimationFile(files.meshes.front())) {
     decision.notice.append(" ", text::Sentence("{} is a body: drop it together with a garment, or while a garment "
                                                "without a body is open.",
                                                shortName(files.meshes.front())));
@@ -239,7 +235,7 @@ std::optional<std::string> clipBy(const DroppedFiles& files, const DropChoices& 
   if (const MotionChoice& choice = choices.motions.at(i); choice.isChosen) {
     return choice.clip;
   }
-  return mesh->isSkinOnly || mesh->clips.size() == 1 ? std::optional(mesh->clips.front().name) : std::nullopt;
+  return mesh->isOnlyAnimation || mesh->clips.size() == 1 ? std::optional(mesh->clips.front().name) : std::nullopt;
 }
 
 scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices, std::span<const FoundFile> found) {

@@ -76,9 +76,6 @@ struct DropDecision {
 [[nodiscard]] std::optional<std::string> clipBy(const DroppedFiles& files, const DropChoices& choices, std::size_t i,
                                                 std::span<const FoundFile> found);
 
-/// Whether the file can be a body only: its format is not that of a mesh.
-[[nodiscard]] bool isBodyOnly(const std::string& file);
-
 /// The parts by these choices. The files are read as readingsBy() says, so that the user gets what is shown.
 [[nodiscard]] scene::SceneParts partsBy(const DroppedFiles& files, const DropChoices& choices,
                                         std::span<const FoundFile> found);

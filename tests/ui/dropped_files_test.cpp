@@ -213,7 +213,7 @@ TEST(DroppedFiles, AFormatOfAnimationsAloneIsABodyThatMoves) {
   const DroppedFiles files = sortDropped({"/a/anna.fbx", "/a/coat.obj"});
   EXPECT_EQ(likelyCloth(files), 1U);
   scene::FoundMesh anna = figure({{"walk", 1.2}, {"run", 0.8}});
-  anna.isSkinOnly = true;
+  anna.isOnlyAnimation = true;
   const std::vector<FoundFile> found{{"/a/anna.fbx", anna, {}}, {"/a/coat.obj", figure({}), {}}};
   EXPECT_EQ(partsBy(files, firstChoices(files), found).bodyClips, (std::vector<std::optional<std::string>>{"walk"}));
   const DroppedFiles joined = joinedWith(openedGarment(), sortDropped({"/a/anna.fbx"}));
