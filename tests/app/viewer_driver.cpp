@@ -145,10 +145,12 @@ Json ViewerDriver::waitUntil(const std::string& what, const std::function<bool(c
                            "; last state: " + (last ? last->dump() : "none"));
 }
 
+// The file is up to 50 ms old, so its number of the frame alone does not say whether the last input was handled.
 Json ViewerDriver::frames(int count) {
-  const Json first = state();
-  const int wanted = first["frame"].get<int>() + count;
-  return waitUntil("more frames", [&](const Json& now) { return now["frame"] >= wanted; });
+  const double now = std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  const Json second = waitUntil("two frames", [&](const Json& s) { return s["input_seconds"] >= now; });
+  const int wanted = second["frame"].get<int>() + count - 2;
+  return waitUntil("more frames", [&](const Json& s) { return s["frame"] >= wanted; });
 }
 
 void ViewerDriver::xdotool(const std::vector<std::string>& arguments) {

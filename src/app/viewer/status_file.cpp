@@ -371,6 +371,10 @@ Json describeAll(const ViewerStatus& status) {
 
 }  // namespace
 
+void StatusFile::noteInput() {
+  inputBefore_ = std::exchange(lastInput_, std::chrono::steady_clock::now());
+}
+
 void StatusFile::update(const ViewerStatus& status) {
   const auto now = std::chrono::steady_clock::now();
   if (file_.empty() || now < next_) {
@@ -380,6 +384,7 @@ void StatusFile::update(const ViewerStatus& status) {
   Json json{{"sequence", ++sequence_},
             {"frame", status.frame},
             {"picture", status.picture},
+            {"input_seconds", std::chrono::duration<double>(inputBefore_.time_since_epoch()).count()},
             {"first_frame_seconds", status.firstFrameSeconds}};
   json.update(describeAll(status));
   if (!replaceFile(file_, jsonText(json, 1) + '\n')) {

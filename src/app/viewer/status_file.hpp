@@ -29,6 +29,9 @@ class StatusFile {
   /// An empty path writes nothing.
   explicit StatusFile(std::filesystem::path file) : file_(std::move(file)) {}
 
+  /// Call it right before a frame takes its input.
+  void noteInput();
+
   /// Writes when it is due. Throws InputError when the file cannot be written.
   void update(const ViewerStatus& status);
 
@@ -36,6 +39,7 @@ class StatusFile {
   static constexpr const char* help =
       "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
       "  sequence, frame, picture counters of writes, of frames, and of frames that were drawn because they differ\n"
+      "  input_seconds            input before this time of CLOCK_MONOTONIC [s] acted on an earlier frame already\n"
       "  first_frame_seconds      from the start of the program to its first frame on screen [s]\n"
       "  scene, vertices, pins    name, number of vertices, number of pins\n"
       "  paused, step, time       the clock [s]\n"
@@ -64,6 +68,8 @@ class StatusFile {
  private:
   std::filesystem::path file_;
   std::int64_t sequence_ = 0;
+  std::chrono::steady_clock::time_point lastInput_;    ///< taken by this frame
+  std::chrono::steady_clock::time_point inputBefore_;  ///< taken by the frame before
   std::chrono::steady_clock::time_point next_;
 };
 

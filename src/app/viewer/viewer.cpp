@@ -127,15 +127,15 @@ bool Viewer::isMinimised() const {
 }
 
 /// Waits when nothing moves, to save power. Any event wakes the window at once.
-void Viewer::awaitEvents() const {
+void Viewer::awaitEvents() {
   constexpr auto restless = std::chrono::milliseconds(800);
   // Sleeping cloth gets older; a paused clock shows nothing new.
   const double calmFrame = isPaused_ ? 0.25 : 2.0;  // [s]
   if ((isMinimised() && !export_) || Clock::now() - lastChange_ > restless) {
     glfwWaitEventsTimeout(calmFrame);
-  } else {
-    glfwPollEvents();
   }
+  status_.noteInput();
+  glfwPollEvents();
 }
 
 void Viewer::frame() {

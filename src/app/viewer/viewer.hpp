@@ -59,7 +59,7 @@ class Viewer {
   using Clock = std::chrono::steady_clock;
 
   [[nodiscard]] bool isMinimised() const;
-  void awaitEvents() const;
+  void awaitEvents();
   void frame();
   void draw(const session::Snapshot& snapshot);
   void blit(const ui::UiRect& view);
