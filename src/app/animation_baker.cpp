@@ -258,6 +258,17 @@ bool isUsable(const aiScene& scene, const aiAnimation& clip) {
   return duration > 0.0 && duration <= longestClip && (scene.mNumAnimations == 1 || clip.mName.length > 0);
 }
 
+std::vector<io::ClipFacts> clipsOf(const aiScene& scene) {
+  std::vector<io::ClipFacts> clips;
+  for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
+    const aiAnimation& clip = *scene.mAnimations[i];
+    if (isUsable(scene, clip)) {
+      clips.push_back({nameOf(clip.mName), durationOf(clip)});
+    }
+  }
+  return clips;
+}
+
 /// 0 at 0 and 1 at 1, with slope 0 at both.
 double smoothStep(double x) {
   return x * x * (3.0 - 2.0 * x);
@@ -303,6 +314,7 @@ io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options) 
     reply.frames.push_back(baker.frameAt(ticksOf(k, steps, clip), options.metresPerUnit));
   }
   reply.leadFrames = lead;
+  reply.clips = clipsOf(scene);
   reply.mesh.positions = reply.frames.front();
   return reply;
 }
@@ -314,12 +326,7 @@ io::ImportReply bindPoseWithClips(const aiScene& scene, double metresPerUnit) {
   Baker baker(scene, still);
   addTriangles(baker, reply);
   reply.mesh.positions = baker.frameBefore(0.0, 0.0, metresPerUnit);
-  for (unsigned i = 0; i < scene.mNumAnimations; ++i) {
-    const aiAnimation& clip = *scene.mAnimations[i];
-    if (isUsable(scene, clip)) {
-      reply.clips.push_back({nameOf(clip.mName), durationOf(clip)});
-    }
-  }
+  reply.clips = clipsOf(scene);
   return reply;
 }
 

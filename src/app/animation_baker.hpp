@@ -18,8 +18,8 @@ struct BakeOptions {
 };
 
 /// The meshes of a scene at equal times of a clip: skinned by their bones, or moved by their nodes. The frames of the
-/// blend come first; a clip that loops runs meanwhile, so that it goes on without a jump of velocity. Throws InputError
-/// without the name of the file.
+/// blend come first; a clip that loops runs meanwhile, so that it goes on without a jump of velocity. With the list of
+/// the clips that can be baked. Throws InputError without the name of the file.
 [[nodiscard]] io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options);
 
 /// The meshes of a scene in their bind pose, and the clips that can be baked. Throws InputError without the name of the

@@ -89,6 +89,14 @@ std::vector<std::optional<scene::ReadingChoice>> readingsFrom(const Json& json) 
   return readings;
 }
 
+Json toJson(const std::vector<std::optional<std::string>>& clips) {
+  Json list = Json::array();
+  for (const std::optional<std::string>& clip : clips) {
+    list.push_back(clip ? Json(*clip) : Json(nullptr));
+  }
+  return list;
+}
+
 /// Logs of earlier versions have no clips.
 std::vector<std::optional<std::string>> clipsFrom(const Json& json) {
   std::vector<std::optional<std::string>> clips;
@@ -115,7 +123,8 @@ SessionLog parse(const Json& json) {
   log.fabrics = fabricsFrom(json.value("fabrics", Json::array()));
   if (const auto found = json.find("placements"); found != json.end()) {
     log.placements = {placementsFrom(found->at("cloths")), placementsFrom(found->at("bodies")),
-                      readingsFrom(found->value("readings", Json::array()))};
+                      readingsFrom(found->value("readings", Json::array())),
+                      clipsFrom(found->value("clips", Json::array()))};
   }
   for (const Json& entry : json.at("commands")) {
     log.commands.push_back(commandFrom(entry));
@@ -191,9 +200,7 @@ void write(const SessionLog& log, OutputFile& file) {
   json["bodies"] = log.parts.bodies;
   json["caches"] = log.parts.caches;
   json["dressed"] = log.parts.dressed;
-  for (const std::optional<std::string>& clip : log.parts.bodyClips) {
-    json["clips"].push_back(clip ? Json(*clip) : Json(nullptr));
-  }
+  json["clips"] = toJson(log.parts.bodyClips);
   for (const auto& [key, value] : log.settings) {
     json["settings"][key] = value;
   }
@@ -202,6 +209,7 @@ void write(const SessionLog& log, OutputFile& file) {
     json["placements"]["cloths"] = toJson(log.placements->cloths);
     json["placements"]["bodies"] = toJson(log.placements->bodies);
     json["placements"]["readings"] = toJson(log.placements->readings);
+    json["placements"]["clips"] = toJson(log.placements->clips);
   }
   json["commands"] = Json::array();
   for (const session::LoggedCommand& entry : log.commands) {

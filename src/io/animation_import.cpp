@@ -68,6 +68,7 @@ AnimatedMesh joined(const ImportReply& reply) {
   AnimatedMesh mesh;
   mesh.frameTime = reply.frameTime;
   mesh.leadFrames = reply.leadFrames;
+  mesh.clips = reply.clips;
   for (const auto& [a, b, c] : reply.mesh.triangles) {
     const Triangle triangle{numbers[a], numbers[b], numbers[c]};
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) {

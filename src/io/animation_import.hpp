@@ -28,7 +28,8 @@ struct AnimatedMesh {
   std::vector<std::vector<Vec3>> frames;  ///< the positions at equal time intervals, at least two, the last one at the
                                           ///< end of the clip [m]
   double frameTime = 0.0;                 ///< [s]; the length of the clip is a multiple of it
-  std::size_t leadFrames = 0;  ///< the first ones, of the blend from the bind pose; the clip begins after them
+  std::size_t leadFrames = 0;    ///< the first ones, of the blend from the bind pose; the clip begins after them
+  std::vector<ClipFacts> clips;  ///< of the file, this one and those that could be chosen instead
 };
 
 /// A file with a skeletal animation before its frames are computed.

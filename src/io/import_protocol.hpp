@@ -18,7 +18,7 @@ struct ImportReply {
   std::vector<std::vector<Vec3>> frames;
   double frameTime = 0.0;             ///< between two frames [s]
   std::size_t leadFrames = 0;         ///< frames before the clip begins
-  std::vector<ClipFacts> clips = {};  ///< of the file, if they were asked for
+  std::vector<ClipFacts> clips = {};  ///< of a file with a skeletal animation
   std::string error;  ///< empty when there is a mesh; otherwise one sentence with a full stop, without the file name
 };
 

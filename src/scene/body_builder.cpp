@@ -71,9 +71,10 @@ std::shared_ptr<const sim::contact::MeshShape> readMeshShape(const BodyDescripti
 }
 
 /// Reads the frames of a skeletal animation. A clip that loops ends with the pose of its start, which is one frame
-/// then.
+/// then. @param clips set to those in the file
 std::shared_ptr<const sim::contact::MeshShape> readAnimatedMesh(const BodyDescription& description,
-                                                                const io::ImportWatch& watch) {
+                                                                const io::ImportWatch& watch,
+                                                                std::vector<io::ClipFacts>& clips) {
   const MeshFileSource& source = description.meshes.front();
   io::AnimationOptions options{.clip = description.animation->clip,
                                .rate = description.animation->rate,
@@ -84,6 +85,7 @@ std::shared_ptr<const sim::contact::MeshShape> readAnimatedMesh(const BodyDescri
   options.watch.stop = watch.stop;
   try {
     io::AnimatedMesh mesh = io::importAnimation(source.path, options);
+    clips = std::move(mesh.clips);
     auto shape = std::make_shared<sim::contact::MeshShape>();
     shape->triangles = std::move(mesh.triangles);
     shape->frames = std::move(mesh.frames);
@@ -208,24 +210,23 @@ BodyDescription inMetres(BodyDescription body, double metresPerUnit, const std::
   return body;
 }
 
-std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescription& description,
-                                                             const std::optional<MeshReading>& reading,
-                                                             const std::optional<Decor>& stand, double groundHeight,
-                                                             const settings::Settings& settings,
-                                                             const io::ImportWatch& watch,
-                                                             std::vector<std::string>& warnings) {
+BuiltBodies buildBodies(const SceneDescription& description, const std::optional<MeshReading>& reading,
+                        const std::optional<Decor>& stand, double groundHeight, const settings::Settings& settings,
+                        const io::ImportWatch& watch, std::vector<std::string>& warnings) {
   const io::ImportOptions options = bodyOptions(settings, watch);
   const MeshReading like = reading.value_or(MeshReading());
   auto bodies = std::make_shared<std::vector<sim::contact::Body>>();
+  std::vector<std::vector<io::ClipFacts>> clips;
   for (const BodyDescription& written : description.bodies) {
     const BodyDescription each = inPlace(inMetres(written, like.metresPerUnit, like.up));
     bodies->push_back(each.body);
+    clips.emplace_back();
     if (each.figure) {
       bodies->back().shape = readFigure(each, options, warnings);
     } else if (each.cache) {
       bodies->back().shape = readCachedMesh(each, options, warnings);
     } else if (each.animation) {
-      bodies->back().shape = readAnimatedMesh(each, watch);
+      bodies->back().shape = readAnimatedMesh(each, watch, clips.back());
     } else if (!each.meshes.empty()) {
       bodies->back().shape = readMeshShape(each, options, warnings);
     }
@@ -237,7 +238,7 @@ std::shared_ptr<std::vector<sim::contact::Body>> buildBodies(const SceneDescript
     bodies->push_back(*description.ground);
     bodies->back().motion.keyframes = {{0.0, Vec3(0.0, groundHeight, 0.0), Vec3::Zero()}};
   }
-  return bodies;
+  return {std::move(bodies), std::move(clips)};
 }
 
 void carryPins(const SceneDescription& description, const PinGroup& group, const sim::ClothState& start,

@@ -44,6 +44,16 @@ void assign(const std::vector<Placement>& placements, std::vector<Description>& 
   }
 }
 
+/// The clips of all bodies. @param of a member of AnimationSource
+std::vector<std::optional<std::string>> clipsOf(const std::vector<BodyDescription>& bodies,
+                                                std::string AnimationSource::*of) {
+  std::vector<std::optional<std::string>> clips;
+  for (const BodyDescription& body : bodies) {
+    clips.push_back(body.animation ? std::optional((*body.animation).*of) : std::nullopt);
+  }
+  return clips;
+}
+
 }  // namespace
 
 bool isAllowed(const Placement& placement) {
@@ -64,6 +74,7 @@ Placements placementsOf(const SceneDescription& description) {
   std::ranges::transform(description.cloths, std::back_inserter(all.cloths), &ClothDescription::placement);
   std::ranges::transform(description.bodies, std::back_inserter(all.bodies), &BodyDescription::placement);
   std::ranges::transform(description.bodies, std::back_inserter(all.readings), &BodyDescription::reading);
+  all.clips = clipsOf(description.bodies, &AnimationSource::clip);
   return all;
 }
 
@@ -72,6 +83,7 @@ Placements writtenPlacementsOf(const SceneDescription& description) {
   std::ranges::transform(description.cloths, std::back_inserter(all.cloths), &ClothDescription::writtenPlacement);
   std::ranges::transform(description.bodies, std::back_inserter(all.bodies), &BodyDescription::writtenPlacement);
   std::ranges::transform(description.bodies, std::back_inserter(all.readings), &BodyDescription::openedReading);
+  all.clips = clipsOf(description.bodies, &AnimationSource::openedClip);
   return all;
 }
 
@@ -83,6 +95,12 @@ SceneDescription withPlacements(SceneDescription description, const Placements& 
       requireReading(*placements.readings[i]);
     }
     description.bodies[i].reading = placements.readings[i];
+  }
+  for (std::size_t i = 0; i < std::min(placements.clips.size(), description.bodies.size()); ++i) {
+    std::optional<AnimationSource>& animation = description.bodies[i].animation;
+    if (animation && placements.clips[i]) {
+      animation->clip = *placements.clips[i];
+    }
   }
   return description;
 }

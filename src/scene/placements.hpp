@@ -18,12 +18,14 @@ struct Placeable {
   bool operator==(const Placeable&) const = default;
 };
 
-/// The placements of all cloths and bodies of a scene, and how the files of bodies are read.
+/// The placements of all cloths and bodies of a scene, and what is read from the files of bodies.
 struct Placements {
   std::vector<Placement> cloths;
   std::vector<Placement> bodies;
   /// BodyDescription::reading of each body: another unit or up axis is a change of the user like a placement.
   std::vector<std::optional<ReadingChoice>> readings;
+  /// The clip that moves each body (AnimationSource::clip); absent: its file has no animation.
+  std::vector<std::optional<std::string>> clips;
 
   [[nodiscard]] const Placement& of(const Placeable& thing) const&;
   [[nodiscard]] Placement& of(const Placeable& thing) &;
@@ -36,8 +38,8 @@ struct Placements {
 [[nodiscard]] Placements placementsOf(const SceneDescription& description);
 [[nodiscard]] Placements writtenPlacementsOf(const SceneDescription& description);
 
-/// The scene with other placements. Without any reading, the bodies keep theirs. Throws InputError when their number
-/// does not fit the scene, or when one is outside its range.
+/// The scene with other placements. Without any reading or clip, the bodies keep theirs. Throws InputError when their
+/// number does not fit the scene, or when one is outside its range.
 [[nodiscard]] SceneDescription withPlacements(SceneDescription description, const Placements& placements);
 
 /// Whether a placement is within its range: near enough to the origin of the scene, and of a useful scale.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "figure/moving_figure.hpp"
+#include "io/clip_facts.hpp"
 #include "io/mesh_import.hpp"
 #include "scene/cloth_part.hpp"
 #include "scene/mesh_reading.hpp"
@@ -77,6 +78,7 @@ struct AnimationSource {
   std::string clip;    ///< its name; empty: the only one
   double rate = 60.0;  ///< frames a second [1/s]
   double blend = 0.0;  ///< time in which the body goes from the pose of its mesh (bind pose) into the clip [s]
+  std::string openedClip = clip;  ///< the one with which the body was opened
 };
 
 /// A vertex cache (PC2 or MDD), which becomes the motion of a body's vertices.
@@ -259,6 +261,8 @@ struct Scene {
   std::optional<Decor> stand;
   std::shared_ptr<const std::vector<sim::contact::Body>> bodies =
       std::make_shared<std::vector<sim::contact::Body>>();  ///< never null
+  /// The clips in the files of bodies with an animation, by body of the description; empty for other bodies.
+  std::vector<std::vector<io::ClipFacts>> clips;
   std::vector<PinPath> pinPaths;  ///< of pins that move without a body; a vertex is in one of them at most
   CameraPose camera;
   double groundHeight = 0.0;  ///< [m]

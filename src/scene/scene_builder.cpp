@@ -75,16 +75,17 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->pinAdvice = adviceOnPins(description, settings, pins.size(), scene->start.positions.size());
   scene->stand = readStand(description.stand, settings, watch, scene->summary.warnings);
   scene->groundHeight = groundHeightOf(description, joined.unplacedStart, pins);
-  const auto bodies = buildBodies(description, joined.reading, scene->stand, scene->groundHeight, settings, watch,
+  BuiltBodies built = buildBodies(description, joined.reading, scene->stand, scene->groundHeight, settings, watch,
                                   scene->summary.warnings);
   for (const PinGroup& group : joined.pins) {
-    carryPins(description, group, scene->start, *bodies);
+    carryPins(description, group, scene->start, *built.bodies);
     if (group.motion && !group.vertices.empty()) {
       scene->pinPaths.push_back(pathOf(group.vertices, *group.motion, scene->start.positions));
     }
   }
-  scene->bodies = bodies;
-  scene->camera = cameraFor(description, scene->start.positions, *bodies);
+  scene->camera = cameraFor(description, scene->start.positions, *built.bodies);
+  scene->bodies = std::move(built.bodies);
+  scene->clips = std::move(built.clips);
   return scene;
 }
 

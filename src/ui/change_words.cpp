@@ -154,6 +154,13 @@ void addPlacements(const session::UserState& from, const session::UserState& to,
       changes.push_back(Sentence("unit and up axis of {}", scene.description.bodies[i].body.name));
     }
   }
+  const auto& oldClips = from.placements.clips;
+  const auto& newClips = to.placements.clips;
+  for (std::size_t i = 0; i < std::min({oldClips.size(), newClips.size(), scene.description.bodies.size()}); ++i) {
+    if (oldClips[i] != newClips[i]) {
+      changes.push_back(Sentence("motion of {}", scene.description.bodies[i].body.name));
+    }
+  }
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include "scene/garment_on_body.hpp"
 #include "ui/dropped_files.hpp"
 #include "ui/panels.hpp"
+#include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
-#include <fmt/core.h>
 #include <imgui.h>
 
 #include <algorithm>
@@ -120,13 +120,6 @@ void reasonText(const PanelContext& context, const text::Sentence& reason, float
   ImGui::PopStyleColor();
 }
 
-/// A clip in the dialog: "Walk (1.2 s)".
-std::string clipName(const PanelContext& context, const io::ClipFacts& clip) {
-  const std::string seconds = fmt::format("{:.3g}", clip.duration);
-  return clip.name.empty() ? context.texts("clip without a name ({} s)", seconds)
-                           : context.texts("{} ({} s)", clip.name, seconds);
-}
-
 /// The choice of the clip that moves a body. @param present absent: the body stands
 void motionRow(PanelContext& context, const scene::FoundMesh& mesh, const std::optional<std::string>& present,
                const std::string& name, const DropLayout& layout, MotionChoice& choice) {
@@ -135,7 +128,7 @@ void motionRow(PanelContext& context, const scene::FoundMesh& mesh, const std::o
   ImGui::SetNextItemWidth(width);
   const std::string still = context.texts("stands as it was modelled");
   const auto shown = std::ranges::find_if(mesh.clips, [&](const io::ClipFacts& clip) { return clip.name == present; });
-  const std::string title = shown == mesh.clips.end() ? still : clipName(context, *shown);
+  const std::string title = shown == mesh.clips.end() ? still : clipName(*shown, context.texts);
   const bool isOpen = ImGui::BeginCombo(("##" + name).c_str(), fitted(title, width).c_str());
   context.buttons[name] = lastItemRect();
   if (!isOpen) {
@@ -146,7 +139,7 @@ void motionRow(PanelContext& context, const scene::FoundMesh& mesh, const std::o
   }
   for (std::size_t i = 0; i < mesh.clips.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
-    if (ImGui::Selectable(clipName(context, mesh.clips[i]).c_str(), mesh.clips[i].name == present)) {
+    if (ImGui::Selectable(clipName(mesh.clips[i], context.texts).c_str(), mesh.clips[i].name == present)) {
       choice = {true, mesh.clips[i].name};
     }
     context.buttons[name + "." + std::to_string(i)] = lastItemRect();

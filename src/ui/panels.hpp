@@ -47,6 +47,9 @@ void meshRows(PanelContext& context);
 /// The rows of the section Scene for the motion and the proportions of figures; nothing without a figure.
 void figureRows(PanelContext& context);
 
+/// The rows of the section Scene that choose the clips of bodies; nothing where no file of a body has several.
+void clipRows(PanelContext& context);
+
 /// The rows of the section View that choose the theme and the language.
 void themeRow(PanelContext& context);
 void languageRow(PanelContext& context);

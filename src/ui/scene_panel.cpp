@@ -126,6 +126,7 @@ void sceneRows(PanelContext& context) {
     mutedText(context.texts(context.snapshot.scene->description.help));
   }
   figureRows(context);
+  clipRows(context);
 }
 
 void meshRows(PanelContext& context) {

@@ -56,4 +56,9 @@ std::string shortened(std::string_view text, std::size_t limit) {
   return std::string(text);
 }
 
+std::string clipName(const io::ClipFacts& clip, const text::Catalogue& texts) {
+  const std::string seconds = fmt::format("{:.3g}", clip.duration);
+  return clip.name.empty() ? texts("clip without a name ({} s)", seconds) : texts("{} ({} s)", clip.name, seconds);
+}
+
 }  // namespace drape::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/clip_facts.hpp"
 #include "session/snapshot.hpp"
 #include "text/catalogue.hpp"
 #include "text/number_text.hpp"
@@ -18,6 +19,9 @@ namespace drape::ui {
 
 /// Why the simulation is slow and what helps, in words. Names contact if it takes more than half of the last step.
 [[nodiscard]] text::Sentence slownessInWords(const session::Snapshot& snapshot);
+
+/// A clip of an animation: "Walk (1.2 s)".
+[[nodiscard]] std::string clipName(const io::ClipFacts& clip, const text::Catalogue& texts = text::Catalogue());
 
 /// The number of pinned vertices.
 [[nodiscard]] int countPins(const sim::ClothModel& model);

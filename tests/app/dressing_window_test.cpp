@@ -242,6 +242,41 @@ TEST(DressingInTheWindow, AClipThatIsChosenForADroppedBodyMovesItAndIsReplayed) 
   EXPECT_EQ(status, 0) << replay.rdbuf();
 }
 
+TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentStaysDressed) {
+  const TemporaryFolder folder;
+  const auto body = folder.path() / "body.gltf";
+  io::BarFile bar;
+  bar.isSolid = true;
+  std::ofstream(body) << bar.text();
+  const auto log = folder.path() / "session.json";
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({"dress", wardrobe.shirt(), body.string(), "--clip", "bend", "--record", log.string()});
+  const auto isWorn = [](const Json& s) { return isDressed(s) && s["step"] > 2; };
+  const Json bends = viewer.waitUntil("the dressed body", isWorn);
+  EXPECT_EQ(bends["bodies"][0]["clip"], "bend");
+
+  viewer.click(viewer.find("body.body.clip"));
+  viewer.waitUntil("the clips", [](const Json& s) { return hasButton(s, "body.body.clip=still"); });
+  viewer.click(viewer.find("body.body.clip=still"));
+  const auto hasClip = [](const char* clip) {
+    return [clip](const Json& s) { return s["bodies"].size() == 1 && s["bodies"][0]["clip"] == clip; };
+  };
+  viewer.waitUntil("the other clip", hasClip("still"));
+  viewer.waitUntil("the garment where it was dressed", isWorn);
+  viewer.tap("ctrl+z");
+  viewer.waitUntil("the clip before", hasClip("bend"));
+  viewer.tap("ctrl+y");
+  viewer.waitUntil("the other clip again", hasClip("still"));
+  viewer.waitUntil("the dressed body again", isWorn);
+  viewer.tap("Escape");
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
+  viewer.tap("Return");
+  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
+  const auto output = folder.path() / "output.txt";
+  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
+  EXPECT_EQ(status, 0) << contentOf(output);
+}
+
 TEST(DressingInTheWindow, AGarmentThatIsDroppedOnABodyIsWornAfterOneClick) {
   const Wardrobe wardrobe;
   ViewerDriver viewer({"mannequin", "--paused"});

@@ -162,6 +162,10 @@ TEST(AnimationImport, listsTheClipsOfAFileWithItsBindPose) {
   EXPECT_NEAR(fbx.mesh.summary.size[1], 0.02, 1e-6) << "in metres";
 }
 
+TEST(AnimationImport, listsTheClipsBesideTheFramesOfOne) {
+  EXPECT_EQ(readBar({}, clipAt("still", 3.0)).clips, (std::vector<ClipFacts>{{"bend", 2.0}, {"still", 2.0}}));
+}
+
 TEST(AnimationImport, listsNoClipThatCannotBePlayed) {
   BarFile bar;
   bar.times = {0.0F, 0.0F, 0.0F};

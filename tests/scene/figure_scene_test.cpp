@@ -1,4 +1,6 @@
+#include "animation_files.hpp"
 #include "messages/error.hpp"
+#include "scene/placements.hpp"
 #include "scene/scene.hpp"
 #include "sim/contact/bodies/world.hpp"
 
@@ -72,6 +74,28 @@ TEST(FigureScenes, nameTheMotionsAndTheRangesInErrors) {
   EXPECT_NE(problemOf("shape = \"figure\"\nspeed = 0").find("speed"), std::string::npos);
   EXPECT_NE(problemOf("shape = \"figure\"\nradius = 1").find("radius"), std::string::npos);
   EXPECT_NE(problemOf("shape = \"sphere\"\nmotion = \"walk\"").find("motion"), std::string::npos);
+}
+
+TEST(FigureScenes, moveABodyByAnotherClipOfItsFile) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "drape_bar.gltf";
+  std::ofstream(file) << io::BarFile().text();
+  const SceneDescription opened =
+      openFigure("shape = \"mesh\"\nmesh = \"" + file.string() + "\"\nanimation = { clip = \"bend\", rate = 2 }");
+  const auto bends = buildScene(opened, opened.settings);
+  EXPECT_EQ(bends->clips, (std::vector<std::vector<io::ClipFacts>>{{{"bend", 2.0}, {"still", 2.0}}}));
+  EXPECT_NE(meshOf(*bends).frames.front(), meshOf(*bends).frames.back());
+
+  Placements choices = placementsOf(opened);
+  EXPECT_EQ(choices, writtenPlacementsOf(opened));
+  choices.clips = {"still"};
+  const SceneDescription chosen = withPlacements(opened, choices);
+  EXPECT_NE(placementsOf(chosen), writtenPlacementsOf(chosen)) << "it is a change of the user";
+  const auto stands = buildScene(chosen, chosen.settings);
+  EXPECT_EQ(meshOf(*stands).frames.front(), meshOf(*stands).frames.back());
+  EXPECT_EQ(withPlacements(chosen, writtenPlacementsOf(chosen)).bodies[0].animation->clip, "bend");
+  choices.clips.clear();
+  EXPECT_EQ(withPlacements(chosen, choices).bodies[0].animation->clip, "still") << "it keeps its clip";
+  std::filesystem::remove(file);
 }
 
 TEST(FigureScenes, nameTheFileOfAnAnimationThatCannotBeRead) {

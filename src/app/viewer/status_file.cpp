@@ -137,6 +137,7 @@ class PlaceFinder {
                       {"position", toJson(status.pose.position)},
                       {"shift", toJson(status.shift)},
                       {"figure", toJson(status.figure)},
+                      {"clip", clipOf(i)},
                       {"x", place.x()},
                       {"y", place.y()}});
     }
@@ -156,6 +157,13 @@ class PlaceFinder {
   }
 
  private:
+  /// The clip of its file that moves a body.
+  [[nodiscard]] Json clipOf(std::size_t body) const {
+    const std::vector<scene::BodyDescription>& described = status_.snapshot.scene->description.bodies;
+    const bool hasClip = body < described.size() && described[body].animation;
+    return hasClip ? Json(described[body].animation->clip) : Json(nullptr);
+  }
+
   [[nodiscard]] Vec3 centreOf(std::size_t triangle) const {
     Vec3 sum = Vec3::Zero();
     for (const int vertex : triangles_[triangle]) {

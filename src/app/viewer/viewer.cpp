@@ -286,6 +286,7 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     keepSewing(*outcome->scene, snapshot);
     if (outcome->kind == Kind::Placed) {
       keepPinsAndBodies(*outcome->scene, snapshot);
+      keepDressing(*outcome->scene, snapshot);
     }
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;

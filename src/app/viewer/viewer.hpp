@@ -85,6 +85,7 @@ class Viewer {
   void keepSewing(const scene::Scene& built, const session::Snapshot& snapshot);
   void startPlacing(ui::UiAction action, const session::Snapshot& snapshot);
   void keepPinsAndBodies(const scene::Scene& built, const session::Snapshot& snapshot);
+  void keepDressing(const scene::Scene& built, const session::Snapshot& snapshot);
   void on(const ui::ExportRequest& request, const session::Snapshot& snapshot);
   [[nodiscard]] std::future<session::RecordedState> presentState();
   void followExport();

@@ -47,6 +47,17 @@ void Viewer::keepSewing(const scene::Scene& built, const session::Snapshot& snap
   }
 }
 
+/// Another clip of a body leaves the cloth where it was dressed. A placement does not: the user moves the cloth with
+/// it.
+void Viewer::keepDressing(const scene::Scene& built, const session::Snapshot& snapshot) {
+  scene::Placements before = scene::placementsOf(snapshot.scene->description);
+  const scene::Placements after = scene::placementsOf(built.description);
+  before.clips = after.clips;
+  if (snapshot.placedStart && before == after) {
+    simulation_.post(session::PlaceClothCommand{*snapshot.placedStart, true});
+  }
+}
+
 /// A scene with another placement has the same vertices and bodies, so the user's pins and bodies stay. Bodies that the
 /// mouse moved begin where the scene has them, as after a return to the start.
 void Viewer::keepPinsAndBodies(const scene::Scene& built, const session::Snapshot& snapshot) {
