@@ -120,10 +120,6 @@ constexpr std::array<Section, 10> sections{{
     {"Advanced", startsClosed, settings::SettingGroup::Advanced, advancedRows},
 }};
 
-}  // namespace
-
-namespace {
-
 /// Whether the search shows this section or a row of it.
 bool holdsRevealed(const PanelContext& context, const Section& section) {
   const RevealedRow& revealed = context.memory.revealed;
