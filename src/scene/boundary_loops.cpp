@@ -2,7 +2,10 @@
 
 #include "sim/model/mesh_topology.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -60,6 +63,21 @@ class BoundaryWalk {
   std::map<int, std::vector<std::size_t>> edgesAt_;
 };
 
+/// The smallest extent of points over the middle one [-].
+double thicknessOf(const std::vector<int>& vertices, const std::vector<Vec3>& positions) {
+  Vec3 mean = Vec3::Zero();
+  for (const int vertex : vertices) {
+    mean += positions[vertex] / static_cast<double>(vertices.size());
+  }
+  Mat3 spread = Mat3::Zero();
+  for (const int vertex : vertices) {
+    const Vec3 off = positions[vertex] - mean;
+    spread += off * off.transpose();
+  }
+  const Vec3 sizes = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+  return sizes[1] > 0.0 ? std::sqrt(std::max(0.0, sizes[0]) / sizes[1]) : 0.0;
+}
+
 BoundaryLoop measured(std::vector<int> vertices, const std::vector<Vec3>& positions) {
   BoundaryLoop loop;
   const Vec3& origin = positions[vertices.front()];
@@ -70,8 +88,10 @@ BoundaryLoop measured(std::vector<int> vertices, const std::vector<Vec3>& positi
     loop.length += length;
     loop.centre += 0.5 * length * (a + b);
     loop.area += 0.5 * a.cross(b);
+    loop.box.extend(positions[vertices[i]]);
   }
   loop.centre = origin + (loop.length > 0.0 ? Vec3(loop.centre / loop.length) : Vec3(Vec3::Zero()));
+  loop.thickness = thicknessOf(vertices, positions);
   loop.vertices = std::move(vertices);
   return loop;
 }
@@ -86,7 +106,16 @@ double areaOf(const Triangle& triangle, const std::vector<Vec3>& positions) {
 bool ClothPieces::isOutline(const BoundaryLoop& loop) const {
   const ClothPiece& piece = pieces[loop.piece];
   const double flatDisc = loop.length * loop.length / (4.0 * std::numbers::pi);
-  return piece.loops == 1 && piece.eulerNumber == 1 && piece.area < 1.1 * flatDisc;
+  if (piece.loops == 1) {
+    return piece.eulerNumber == 1 && piece.area < 1.1 * flatDisc;
+  }
+  constexpr double reach = 0.8;  // of the piece; the ends of a tube do not reach from one to the other
+  constexpr double round = 0.7;  // of the circle with that circumference; the end of a slanted short tube is rounder
+  const bool reachesAround = (loop.box.sizes().array() >= reach * piece.box.sizes().array()).all();
+  constexpr double narrow = 0.2;
+  constexpr double thick = 0.3;
+  return (reachesAround && loop.area.norm() < round * flatDisc) ||
+         (loop.thickness > thick && loop.area.norm() < narrow * flatDisc);
 }
 
 ClothPieces findPieces(const sim::ClothMesh& mesh) {
@@ -97,6 +126,7 @@ ClothPieces findPieces(const sim::ClothMesh& mesh) {
   for (std::size_t v = 0; v < pieceOf.size(); ++v) {
     ClothPiece& piece = found.pieces[pieceOf[v]];
     piece.vertices.push_back(static_cast<int>(v));
+    piece.box.extend(mesh.positions[v]);
     ++piece.eulerNumber;
   }
   for (const Triangle& triangle : mesh.triangles) {

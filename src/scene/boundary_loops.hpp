@@ -2,6 +2,8 @@
 
 #include "sim/model/cloth_model.hpp"
 
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace drape::scene {
@@ -12,12 +14,15 @@ struct BoundaryLoop {
   double length = 0.0;         ///< [m]
   Vec3 centre = Vec3::Zero();  ///< length-weighted mean [m]
   Vec3 area = Vec3::Zero();    ///< enclosed area times its normal [m^2]; the sign has no meaning
+  Eigen::AlignedBox3d box;     ///< around its vertices [m]
+  double thickness = 0.0;      ///< its smallest extent over the middle one, from its spread [-]; 0 in a plane
   int piece = 0;               ///< index into ClothPieces::pieces
 };
 
 /// A connected part of a mesh.
 struct ClothPiece {
   double area = 0.0;          ///< [m^2]
+  Eigen::AlignedBox3d box;    ///< around its vertices [m]
   int loops = 0;              ///< boundary loops
   int eulerNumber = 0;        ///< vertices - edges + triangles; 1 for a disc, 0 for a tube
   std::vector<int> vertices;  ///< ascending
@@ -29,7 +34,9 @@ struct ClothPieces {
   std::vector<BoundaryLoop> loops;  ///< ordered by their lowest vertex
 
   /// Whether the loop is the outline of a sheet, not an opening of a hollow shape. A flat disc has at most the area of
-  /// the circle with its circumference; a sock or a cap has more.
+  /// the circle with its circumference; a sock or a cap has more. The outline of a sheet with holes is far from round:
+  /// that of an apron reaches from one end of the piece to the other along all axes, and that of a jacket which is open
+  /// at the front encloses little area for its length and does not lie in a plane.
   [[nodiscard]] bool isOutline(const BoundaryLoop& loop) const;
 };
 

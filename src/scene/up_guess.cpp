@@ -97,15 +97,51 @@ std::array<double, 3> asymmetries(const sim::ClothMesh& mesh, const Eigen::Align
   return result;
 }
 
-/// The shares of the openings that face along each axis; all zero without relevant openings.
-std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::AlignedBox3d& box) {
+/// The axis along which two openings are mirror images, as those of two sleeves or two trouser legs are; -1 if none.
+int mirrorAxis(const BoundaryLoop& a, const BoundaryLoop& b, const Eigen::AlignedBox3d& box) {
+  constexpr double equal = 0.1;  // of the box or the length
+  constexpr double apart = 0.3;  // of the box
+  if (a.piece != b.piece || std::abs(a.length - b.length) > equal * a.length) {
+    return -1;
+  }
+  const Vec3 between = (a.centre - b.centre).cwiseAbs();
+  const Vec3 offMiddle = (a.centre + b.centre - 2.0 * box.center()).cwiseAbs();
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 off = between;
+    off[axis] = offMiddle[axis];
+    if (between[axis] > apart * box.sizes()[axis] && (off.array() <= equal * box.sizes().array()).all()) {
+      return axis;
+    }
+  }
+  return -1;
+}
+
+/// The axis along which an opening for an arm or a leg has its mirror image; -1 if it has none. The two ends of a tube
+/// are mirror images, too, so only pieces with more borders count.
+int axisOfLimbs(const BoundaryLoop& loop, const ClothPieces& pieces, const Eigen::AlignedBox3d& box) {
+  if (pieces.pieces[loop.piece].loops > 2) {
+    for (const BoundaryLoop& other : pieces.loops) {
+      if (const int axis = mirrorAxis(loop, other, box); axis >= 0) {
+        return axis;
+      }
+    }
+  }
+  return -1;
+}
+
+/// Sets the evidence from openings.
+void findOpenings(const ClothPieces& pieces, const Eigen::AlignedBox3d& box, UpEvidence& evidence) {
   constexpr double smallest =
       1e-3;  // relative to the square of the box's diagonal; a smaller opening is a slit or a defect
-  std::array<double, 3> shares{};
+  std::array<double, 3>& shares = evidence.openings;
   double total = 0.0;
   for (const BoundaryLoop& loop : pieces.loops) {
     const double area = loop.area.norm();
     if (pieces.isOutline(loop) || area < smallest * box.diagonal().squaredNorm()) {
+      continue;
+    }
+    if (const int sideways = axisOfLimbs(loop, pieces, box); sideways >= 0) {
+      evidence.limbs[static_cast<std::size_t>(sideways)] = 1.0;
       continue;
     }
     total += area;
@@ -117,7 +153,6 @@ std::array<double, 3> openingShares(const ClothPieces& pieces, const Eigen::Alig
   for (double& share : shares) {
     share = total > 0.0 ? share / total : 0.0;
   }
-  return shares;
 }
 
 }  // namespace
@@ -131,18 +166,19 @@ UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces) {
   constexpr std::array<double, 3> usual{-0.6, 0.15, 0.0};  // files with y up are the most common, with x up the rarest
   constexpr double openingWeight = 1.5;
   constexpr double asymmetryWeight = 1.0;
+  constexpr double limbWeight = -1.0;
   constexpr double extentWeight = 0.8;
   constexpr double extentWeightAlone = 1.3;  // for a shape without openings
   UpGuess guess;
   const Eigen::AlignedBox3d box = sim::boundsOf(mesh.positions);
   UpEvidence& evidence = guess.evidence;
-  evidence.openings = openingShares(pieces, box);
+  findOpenings(pieces, box, evidence);
   evidence.asymmetry = asymmetries(mesh, box);
   const bool open = std::any_of(evidence.openings.begin(), evidence.openings.end(), [](double s) { return s > 0.0; });
   const double largest = std::max(std::numeric_limits<double>::min(), box.sizes().maxCoeff());
   for (std::size_t axis = 0; axis < 3; ++axis) {
     evidence.extent[axis] = box.sizes()[static_cast<Eigen::Index>(axis)] / largest;
-    evidence.score[axis] = usual[axis] + openingWeight * evidence.openings[axis] +
+    evidence.score[axis] = usual[axis] + openingWeight * evidence.openings[axis] + limbWeight * evidence.limbs[axis] +
                            asymmetryWeight * evidence.asymmetry[axis] +
                            (open ? extentWeight : extentWeightAlone) * evidence.extent[axis];
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace drape::scene {
@@ -38,6 +39,33 @@ TEST(BoundaryLoops, takeTheOpeningOfASockForAnOpening) {
   const ClothPieces found = findPieces(testing::sock());
   ASSERT_EQ(found.loops.size(), 1U);
   EXPECT_FALSE(found.isOutline(found.loops[0]));
+}
+
+TEST(BoundaryLoops, areTheOutlineAndTheHolesOfASheetWithHoles) {
+  testing::GarmentSizes vest;
+  vest.sleeve = 0.12;
+  vest.sleeveAngle = 0.0;
+  vest.frontGap = 0.04;
+  testing::GarmentSizes cardigan = vest;
+  cardigan.sleeve = 0.5;
+  for (const sim::ClothMesh& sheet : {testing::shirt(vest), testing::shirt(cardigan), testing::apron()}) {
+    const ClothPieces found = findPieces(sheet);
+    const auto longest = std::ranges::max_element(found.loops, {}, &BoundaryLoop::length);
+    ASSERT_GE(found.loops.size(), 2U);
+    for (const BoundaryLoop& loop : found.loops) {
+      EXPECT_EQ(found.isOutline(loop), &loop == &*longest);
+    }
+  }
+}
+
+TEST(BoundaryLoops, ofASlantedRingAreOpenings) {
+  sim::ClothMesh ring = testing::tube(0.06, 0.3, 0.3, 0.7);
+  for (Vec3& position : ring.positions) {
+    position = Eigen::AngleAxisd(0.7, Vec3(1.0, 0.5, 1.0).normalized()) * position;
+  }
+  const ClothPieces found = findPieces(ring);
+  ASSERT_EQ(found.loops.size(), 2U);
+  EXPECT_FALSE(found.isOutline(found.loops[0]) || found.isOutline(found.loops[1]));
 }
 
 TEST(BoundaryLoops, tellWhichPieceTheyBelongTo) {

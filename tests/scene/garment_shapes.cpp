@@ -89,7 +89,8 @@ sim::ClothMesh shirt(const GarmentSizes& sizes) {
     const double drop = p.z() > 0.0 ? sizes.neckDepth : 0.02;
     const bool inNeck =
         std::abs(p.x()) < sizes.neck && p.y() > top - drop * std::sqrt(1.0 - std::pow(p.x() / sizes.neck, 2));
-    return p.y() > 0.0 && !(pastCuff && std::abs(p.x()) > 0.5 * sizes.chest) && !inNeck;
+    const bool inGap = p.z() > 0.0 && std::abs(p.x()) < sizes.frontGap;
+    return p.y() > 0.0 && !inGap && !(pastCuff && std::abs(p.x()) > 0.5 * sizes.chest) && !inNeck;
   });
 }
 
@@ -105,6 +106,27 @@ sim::ClothMesh trousers(double legs) {
   };
   const io::RawMesh whole = io::surfaceOf(solid, Vec3(-0.5, -0.5, -0.4), Vec3(0.5, legs + 0.8, 0.4), 0.02);
   return part(whole, [&](const Vec3& p) { return p.y() > 0.0 && p.y() < legs + 0.25; });
+}
+
+sim::ClothMesh apron() {
+  // A sheet with a hole for the head, whose upper end is bent backwards.
+  constexpr double bend = 0.85;  // [m]
+  io::RawMesh whole;
+  const sim::ClothMesh flat = sheet(0, 1, 0.6, 1.1, 45);
+  whole.triangles = flat.triangles;
+  for (const Vec3& p : flat.positions) {
+    whole.positions.emplace_back(p.x() - 0.3, p.y(), 0.0);
+  }
+  sim::ClothMesh mesh = part(whole, [&](const Vec3& p) {
+    const double halfWidth = p.y() < 0.5 ? 0.28 : 0.13;
+    const bool inHole = std::abs(p.x()) < 0.1 && p.y() > bend && p.y() < 1.05;
+    return std::abs(p.x()) < halfWidth && !inHole;
+  });
+  for (Vec3& p : mesh.positions) {
+    const double behind = std::max(0.0, p.y() - bend);
+    p = Vec3(p.x(), p.y() - 0.3 * behind, 0.14 - 0.6 * p.x() * p.x() - 0.9 * behind);
+  }
+  return mesh;
 }
 
 sim::ClothMesh tube(double height, double hem, double top, double depth) {
@@ -218,6 +240,15 @@ std::vector<TestShape> testShapes() {
   GarmentSizes crop = sizes;
   crop.height = 0.4;
   shapes.push_back({"short shirt", shirt(crop)});
+  GarmentSizes vest = sizes;
+  vest.sleeve = 0.12;
+  vest.sleeveAngle = 0.0;
+  vest.frontGap = 0.04;
+  shapes.push_back({"vest that is open at the front", shirt(vest)});
+  vest.sleeve = 0.55;
+  vest.sleeveAngle = 40.0;
+  shapes.push_back({"cardigan that is open at the front", shirt(vest)});
+  shapes.push_back({"apron", apron()});
   shapes.push_back({"trousers", trousers(0.75)});
   shapes.push_back({"shorts", trousers(0.2)});
   shapes.push_back({"skirt", tube(0.6, 0.3, 0.14, 0.8)});

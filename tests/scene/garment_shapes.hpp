@@ -23,6 +23,7 @@ struct GarmentSizes {
   double sleeveAngle = 45.0;  ///< below the horizontal [degrees]; 0: a T
   double neck = 0.09;         ///< half the width of the neck
   double neckDepth = 0.06;    ///< depth of the neck in front
+  double frontGap = 0.0;      ///< half the width of a gap from neck to hem, as of a vest
 };
 
 /// A shirt, a dress, or a tank top (no sleeves): a shell with openings for neck, arms and hem.
@@ -30,6 +31,9 @@ struct GarmentSizes {
 
 /// Trousers with legs of that length below the crotch [m].
 [[nodiscard]] sim::ClothMesh trousers(double legs);
+
+/// An apron in front of the xy plane, with a band around the neck that is behind it.
+[[nodiscard]] sim::ClothMesh apron();
 
 /// A tube around the y axis, from y = 0 up; half widths at the hem and at the top [m]. A skirt or a strapless top.
 [[nodiscard]] sim::ClothMesh tube(double height, double hem, double top, double depth);
