@@ -90,8 +90,16 @@ void ArmBend::aim(const GarmentOpenings& openings, std::span<const Vec3> positio
 }
 
 std::vector<Vec3> ArmBend::bent(std::size_t frame) const {
+  return turned(frame, std::min(1.0, body_.wayTo(frame) / body_.wayTo(body_.centreLines())));
+}
+
+std::vector<Vec3> ArmBend::reach() const {
+  return turned(body_.centreLines() / 2, 1.0);  // a hand recedes by 2 cm until then, and by 10 cm at the centre lines
+}
+
+/// @param share of the whole turn [-]
+std::vector<Vec3> ArmBend::turned(std::size_t frame, double share) const {
   std::vector<Vec3> positions = body_.frames()[frame];
-  const double share = std::min(1.0, body_.wayTo(frame) / body_.wayTo(body_.centreLines()));
   for (std::size_t k = 0; k < arms_.size() && !weights_.empty(); ++k) {
     const Arm& arm = arms_[k];
     if (arm.turn.angle() * share == 0.0) {

@@ -23,6 +23,9 @@ class ArmBend {
   /// A frame of the body with turned arms. The full body is never turned, the centre lines and thinner ones fully.
   [[nodiscard]] std::vector<Vec3> bent(std::size_t frame) const;
 
+  /// A frame whose limbs have nearly their full length, with fully turned arms: for tests what the limbs reach.
+  [[nodiscard]] std::vector<Vec3> reach() const;
+
   /// The body whose frames are all bent.
   [[nodiscard]] ShrinkingBody bentBody() const;
 
@@ -34,6 +37,7 @@ class ArmBend {
     Eigen::AngleAxisd turn = Eigen::AngleAxisd::Identity();
   };
   void findShoulder(Arm& arm) const;
+  [[nodiscard]] std::vector<Vec3> turned(std::size_t frame, double share) const;
   [[nodiscard]] Vec3 pointOfArm(const Arm& arm, double fromShoulder) const;
 
   const ShrinkingBody& body_;

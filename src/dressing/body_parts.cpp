@@ -125,7 +125,7 @@ BodyLandmarks landmarksOf(const Shape& shape, const std::vector<BodyPart>& parts
   }
   const int waist = narrowest(sections, 55, 70);
   return {sections[neck].isEmpty() ? shape.box.center() : Vec3(sections[neck].center()),
-          sections[waist].isEmpty() ? shape.box.center() : Vec3(sections[waist].center())};
+          sections[waist].isEmpty() ? shape.box.center() : Vec3(sections[waist].center()), shape.box.max().y()};
 }
 
 }  // namespace

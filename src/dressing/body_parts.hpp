@@ -14,6 +14,7 @@ enum class BodyPart { Whole, Head, Trunk, LeftArm, RightArm, LeftLeg, RightLeg }
 struct BodyLandmarks {
   Vec3 neck = Vec3::Zero();   ///< the middle of the neck where it meets the shoulders [m]
   Vec3 waist = Vec3::Zero();  ///< the middle of the trunk where it is narrowest [m]
+  double top = 0.0;           ///< height of the top of the head [m]
 };
 
 /// The parts of a body, from its shape. A person has two thin limbs beside the trunk.

@@ -51,19 +51,21 @@ std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const s
 
 class Dresser {
  public:
+  /// @param reach of the limbs where the garment is placed, see Wearing::faults
   Dresser(const sim::ClothModel& model, const DressingOptions& options, const Wearing& wearing,
-          const ShrinkingBody& body)
-      : model_(model), options_(options), wearing_(wearing), body_(body) {}
+          const ShrinkingBody& body, std::vector<Vec3> reach)
+      : model_(model), options_(options), wearing_(wearing), body_(body), reach_(std::move(reach)) {}
 
   void run(std::vector<Vec3> positions, Dressed& result) const {
     result.before = pairsOf(positions);
+    result.atCentreLines = wearing_.faults(positions, body_.centreLines(), reach_);
     const std::size_t frame = freeFrame(wearing_, body_, positions);
     result.shrunk = body_.wayTo(frame);
     result.positions = positions;
     result.after = result.before;
     result.fits = wearing_.pairs(positions, frame) == 0;
     if (!result.fits) {
-      result.faults = wearing_.faults(positions, frame);
+      result.faults = wearing_.faults(positions, frame, reach_);
       return;
     }
     Fitting fitting(model_, std::move(positions), body_, frame, options_.step);
@@ -74,7 +76,7 @@ class Dresser {
     settle(fitting);
     result.positions = fitting.positions();
     result.after = pairsOf(result.positions);
-    result.faults = wearing_.faults(result.positions, 0);
+    result.faults = wearing_.faults(result.positions, 0, body_.frames().front());
   }
 
  private:
@@ -98,6 +100,7 @@ class Dresser {
   const DressingOptions& options_;
   const Wearing& wearing_;
   const ShrinkingBody& body_;
+  std::vector<Vec3> reach_;
 };
 
 }  // namespace
@@ -146,8 +149,7 @@ Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, cons
   bend.aim(openings, positions);
   const ShrinkingBody bent = bend.bentBody();
   const Wearing wearing(bent, parts, openings, model.triangles);
-  result.atCentreLines = wearing.faults(positions, bent.centreLines());
-  Dresser(model, options, wearing, bent).run(std::move(positions), result);
+  Dresser(model, options, wearing, bent, bend.reach()).run(std::move(positions), result);
   return result;
 }
 

@@ -23,36 +23,78 @@ std::vector<scene::BoundaryLoop> openLoops(const scene::ClothPieces& pieces) {
   return loops;
 }
 
-/// Whether a loop can be the end of a sleeve: it is beside the middle, and does not lie flat.
-bool isSideways(const scene::BoundaryLoop& loop, const Eigen::AlignedBox3d& box) {
-  constexpr double besideMiddle = 0.2;  // of the width
-  constexpr double flat = 0.97;         // cosine of the angle between its normal and the vertical
-  const double size = loop.area.norm();
-  return std::abs(loop.centre.x() - box.center().x()) > besideMiddle * box.sizes().x() && size > 0.0 &&
-         std::abs(loop.area.y()) < flat * size;
+/// Two loops of a piece that are mirror images: a pair of sleeves or of legs.
+struct LimbPair {
+  const scene::BoundaryLoop* left = nullptr;  ///< towards +x
+  const scene::BoundaryLoop* right = nullptr;
+  [[nodiscard]] double height() const { return 0.5 * (left->centre.y() + right->centre.y()); }
+};
+
+bool arePair(const scene::BoundaryLoop& left, const scene::BoundaryLoop& right, const Eigen::AlignedBox3d& box) {
+  constexpr double sameHeight = 0.2;    // of the height of the garment
+  constexpr double sameDistance = 0.2;  // from the middle, of the width of the garment
+  constexpr double sameLength = 1.5;
+  constexpr double acrossMiddle = 0.1;  // of the width of the loop
+  const double middle = box.center().x();
+  return left.piece == right.piece && left.box.min().x() > middle - acrossMiddle * left.box.sizes().x() &&
+         right.box.max().x() < middle + acrossMiddle * right.box.sizes().x() &&
+         std::abs(left.centre.y() - right.centre.y()) < sameHeight * box.sizes().y() &&
+         std::abs(left.centre.x() + right.centre.x() - 2.0 * middle) < sameDistance * box.sizes().x() &&
+         left.length < sameLength * right.length && right.length < sameLength * left.length;
 }
 
-/// Takes the two loops of the sleeves out of the list: the highest on each side that are mirror images in height.
-void takeSleeves(std::vector<scene::BoundaryLoop>& loops, const Eigen::AlignedBox3d& box,
-                 std::vector<Opening>& openings) {
-  const auto find = [&](double side) {
-    return std::ranges::find_if(loops, [&](const scene::BoundaryLoop& loop) {
-      return isSideways(loop, box) && side * (loop.centre.x() - box.center().x()) > 0.0;
+/// @param loops highest first  @return highest first
+std::vector<LimbPair> limbPairs(const std::vector<scene::BoundaryLoop>& loops, const Eigen::AlignedBox3d& box) {
+  std::vector<LimbPair> pairs;
+  for (const scene::BoundaryLoop& left : loops) {
+    const auto right = std::ranges::find_if(loops, [&](const scene::BoundaryLoop& each) {
+      const bool isTaken = std::ranges::find(pairs, &each, &LimbPair::right) != pairs.end();
+      return !isTaken && arePair(left, each, box);
     });
-  };
-  const auto left = find(1.0);
-  const auto right = find(-1.0);
-  constexpr double sameHeight = 0.2;  // of the height of the garment
-  if (left == loops.end() || right == loops.end() ||
-      std::abs(left->centre.y() - right->centre.y()) > sameHeight * box.sizes().y()) {
+    if (right != loops.end()) {
+      pairs.push_back({&left, &*right});
+    }
+  }
+  return pairs;
+}
+
+/// Takes the loops of arms and legs out of the list. The highest pairs are for arms and the lowest ones for legs, which
+/// have no opening below them. Pairs at one height belong to layers. Of trousers the only other opening is the waist,
+/// of a vest there is none.
+void takeLimbs(std::vector<scene::BoundaryLoop>& loops, const Eigen::AlignedBox3d& box,
+               std::vector<Opening>& openings) {
+  const std::vector<LimbPair> pairs = limbPairs(loops, box);
+  if (pairs.empty()) {
     return;
   }
-  openings.push_back({OpeningKind::LeftSleeve, left->vertices, left->centre});
-  openings.push_back({OpeningKind::RightSleeve, right->vertices, right->centre});
-  const std::vector<int> lowest{left->vertices.front(), right->vertices.front()};
-  std::erase_if(loops, [&](const scene::BoundaryLoop& loop) {
-    return loop.vertices.front() == lowest[0] || loop.vertices.front() == lowest[1];
-  });
+  const double oneHeight = 0.1 * box.sizes().y();
+  const double top = pairs.front().height();
+  const double bottom = pairs.back().height();
+  const auto layers =
+      std::ranges::count_if(pairs, [&](const LimbPair& pair) { return pair.height() < bottom + oneHeight; });
+  const auto others = static_cast<std::ptrdiff_t>(loops.size() - 2 * pairs.size());
+  const bool isLowest = loops.back().centre.y() > bottom - oneHeight;
+  const bool hasTwoHeights = top > bottom + oneHeight;
+  const bool hasLegs = isLowest && (hasTwoHeights || (others > 0 && others <= layers));
+  std::vector<const scene::BoundaryLoop*> taken;
+  for (const LimbPair& pair : pairs) {
+    const bool isLeg = hasLegs && pair.height() < bottom + oneHeight;
+    const bool isSleeve = !isLeg && pair.height() > top - oneHeight;
+    if (isLeg || isSleeve) {
+      openings.push_back(
+          {isLeg ? OpeningKind::LeftLeg : OpeningKind::LeftSleeve, pair.left->vertices, pair.left->centre});
+      openings.push_back(
+          {isLeg ? OpeningKind::RightLeg : OpeningKind::RightSleeve, pair.right->vertices, pair.right->centre});
+      taken.insert(taken.end(), {pair.left, pair.right});
+    }
+  }
+  std::vector<scene::BoundaryLoop> rest;
+  for (const scene::BoundaryLoop& loop : loops) {
+    if (std::ranges::find(taken, &loop) == taken.end()) {
+      rest.push_back(loop);
+    }
+  }
+  loops = std::move(rest);
 }
 
 /// The width of the garment a fifth of its height below its top [m].
@@ -66,12 +108,8 @@ double widthBelowTop(const sim::ClothMesh& garment, const Eigen::AlignedBox3d& b
   return band.isEmpty() ? 0.0 : std::max(band.sizes().x(), band.sizes().z());
 }
 
-double widthOf(const scene::BoundaryLoop& loop, const sim::ClothMesh& garment) {
-  Eigen::AlignedBox3d box;
-  for (const int vertex : loop.vertices) {
-    box.extend(garment.positions[vertex]);
-  }
-  return std::max(box.sizes().x(), box.sizes().z());
+double widthOf(const scene::BoundaryLoop& loop) {
+  return std::max(loop.box.sizes().x(), loop.box.sizes().z());
 }
 
 /// The area of a loop, towards the top.
@@ -79,7 +117,47 @@ Vec3 upwards(const scene::BoundaryLoop& loop) {
   return loop.area.y() < 0.0 ? Vec3(-loop.area) : loop.area;
 }
 
+/// Whether a loop is high enough for a neck or a waist.
+bool isHighest(const scene::BoundaryLoop& loop, const Eigen::AlignedBox3d& box) {
+  constexpr double upperPart = 0.6;  // of the height
+  return loop.centre.y() > box.min().y() + upperPart * box.sizes().y();
+}
+
+/// Whether a loop is the opening of a hood for the face: it faces the front, and cloth is above it. A deep neckline
+/// reaches up to the shoulders, which are the top of its garment.
+bool isHood(const scene::BoundaryLoop& loop, const Eigen::AlignedBox3d& box) {
+  constexpr double steep = 0.5;        // cosine of the angle between its normal and the vertical
+  constexpr double clothAbove = 0.02;  // of the height
+  return isHighest(loop, box) && std::abs(loop.area.y()) < steep * loop.area.norm() &&
+         loop.box.max().y() < box.max().y() - clothAbove * box.sizes().y();
+}
+
+/// Whether a neckline is lower towards -z.
+bool slopesBack(const scene::BoundaryLoop& loop) {
+  constexpr double clearSlope = 0.1;
+  return upwards(loop).z() < -clearSlope * loop.area.norm();
+}
+
+bool hasOutline(const scene::ClothPieces& pieces, int piece) {
+  return std::ranges::any_of(
+      pieces.loops, [&](const scene::BoundaryLoop& loop) { return loop.piece == piece && pieces.isOutline(loop); });
+}
+
+/// Whether the outline of a sheet is towards -z: the front edges of a vest or of a jacket, or those of an apron. Few
+/// garments are open at the back.
+/// @param middle of the openings for arms or neck, along z [m]
+bool hangsBehind(const scene::ClothPieces& pieces, double middle, const Eigen::AlignedBox3d& box) {
+  constexpr double clear = 0.05;  // of the depth
+  return std::ranges::any_of(pieces.loops, [&](const scene::BoundaryLoop& loop) {
+    return pieces.isOutline(loop) && loop.centre.z() < middle - clear * box.sizes().z();
+  });
+}
+
 }  // namespace
+
+bool isLeg(OpeningKind kind) {
+  return kind == OpeningKind::LeftLeg || kind == OpeningKind::RightLeg;
+}
 
 bool isSleeve(OpeningKind kind) {
   return kind == OpeningKind::LeftSleeve || kind == OpeningKind::RightSleeve;
@@ -89,27 +167,51 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
   const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
   const scene::ClothPieces pieces = scene::findPieces(garment);
   std::vector<scene::BoundaryLoop> loops = openLoops(pieces);
-  takeSleeves(loops, box, openings_);
-  const bool hasSleeves = !openings_.empty();
-  constexpr double upperPart = 0.6;  // of the height: a neck or a waist is above
-  for (std::size_t k = 0; k < loops.size(); ++k) {
-    OpeningKind kind = OpeningKind::Hem;
-    if (k == 0 && loops[k].centre.y() > box.min().y() + upperPart * box.sizes().y()) {
-      constexpr double shoulders = 2.0;  // over the width of a neck opening; a skirt is less flared
-      const bool isNeck = hasSleeves || widthBelowTop(garment, box) > shoulders * widthOf(loops[k], garment);
-      kind = isNeck ? OpeningKind::Neck : OpeningKind::Waist;
-    }
-    openings_.push_back({kind, loops[k].vertices, loops[k].centre});
-    constexpr double clearSlope = 0.1;
-    if (kind == OpeningKind::Neck && hasSleeves) {
-      facesBack_ = upwards(loops[k]).z() < -clearSlope * loops[k].area.norm();
-    }
+  takeLimbs(loops, box, openings_);
+  const bool hasSleeves = find(OpeningKind::LeftSleeve) != nullptr;
+  const double middle = hasSleeves ? find(OpeningKind::LeftSleeve)->centre.z() : box.center().z();
+  if (!loops.empty() && isHood(loops.front(), box)) {
+    openings_.push_back({OpeningKind::Hood, loops.front().vertices, loops.front().centre});
+    facesBack_ = loops.front().centre.z() < middle;
+    loops.erase(loops.begin());
+  } else if (!loops.empty() && isHighest(loops.front(), box)) {
+    constexpr double shoulders = 2.0;  // over the width of a neck opening; a skirt is less flared
+    const scene::BoundaryLoop& loop = loops.front();
+    const bool isSheet = hasOutline(pieces, loop.piece);  // with a hole for the head: a poncho, an apron
+    const bool isNeck = hasSleeves || isSheet || widthBelowTop(garment, box) > shoulders * widthOf(loop);
+    facesBack_ = hasSleeves ? slopesBack(loop) : isSheet && hangsBehind(pieces, loop.centre.z(), box);
+    openings_.push_back(
+        {isNeck ? OpeningKind::Neck : OpeningKind::Waist, loops.front().vertices, loops.front().centre});
+    loops.erase(loops.begin());
+  } else {
+    facesBack_ = hasSleeves && hangsBehind(pieces, middle, box);
+  }
+  for (const scene::BoundaryLoop& loop : loops) {
+    openings_.push_back({OpeningKind::Hem, loop.vertices, loop.centre});
   }
   if (facesBack_) {
-    for (Opening& opening : openings_) {
-      if (isSleeve(opening.kind)) {
-        opening.kind = opening.kind == OpeningKind::LeftSleeve ? OpeningKind::RightSleeve : OpeningKind::LeftSleeve;
-      }
+    swapSides();
+  }
+}
+
+/// Exchanges left and right.
+void GarmentOpenings::swapSides() {
+  for (Opening& opening : openings_) {
+    switch (opening.kind) {
+      case OpeningKind::LeftSleeve:
+        opening.kind = OpeningKind::RightSleeve;
+        break;
+      case OpeningKind::RightSleeve:
+        opening.kind = OpeningKind::LeftSleeve;
+        break;
+      case OpeningKind::LeftLeg:
+        opening.kind = OpeningKind::RightLeg;
+        break;
+      case OpeningKind::RightLeg:
+        opening.kind = OpeningKind::LeftLeg;
+        break;
+      default:
+        break;
     }
   }
 }

@@ -9,10 +9,11 @@
 
 namespace drape::dressing {
 
-/// What an opening of a garment is for. Left is the side of the wearer's left arm.
-enum class OpeningKind { Neck, Waist, LeftSleeve, RightSleeve, Hem };
+/// What an opening of a garment is for. Left is the side of the wearer's left arm. A hood is open for the face.
+enum class OpeningKind { Neck, Waist, LeftSleeve, RightSleeve, LeftLeg, RightLeg, Hood, Hem };
 
 [[nodiscard]] bool isSleeve(OpeningKind kind);
+[[nodiscard]] bool isLeg(OpeningKind kind);
 
 /// An opening of a garment.
 struct Opening {
@@ -30,10 +31,13 @@ class GarmentOpenings {
   [[nodiscard]] std::span<const Opening> all() const { return openings_; }
   /// The first of a kind; null if there is none.
   [[nodiscard]] const Opening* find(OpeningKind kind) const;
-  /// Whether its front is towards -z: the neck opening is lower there. False if it cannot be told.
+  /// Whether its front is towards -z: the neck opening is lower there, a hood or a vest is open there, or an apron
+  /// hangs there. False if it cannot be told.
   [[nodiscard]] bool facesBack() const { return facesBack_; }
 
  private:
+  void swapSides();
+
   std::vector<Opening> openings_;
   bool facesBack_ = false;
 };

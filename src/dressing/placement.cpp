@@ -38,11 +38,20 @@ Pose turnToFront(const sim::ClothMesh& garment, const BodyParts& parts) {
 }
 
 /// The shift of a garment whose landmarks are known; none if there are none.
-std::optional<Vec3> shiftByLandmarks(const GarmentOpenings& openings, const BodyParts& parts) {
+std::optional<Vec3> shiftByLandmarks(const std::vector<Vec3>& garment, const GarmentOpenings& openings,
+                                     const BodyParts& parts) {
   if (!parts.landmarks()) {
     return std::nullopt;
   }
   const Vec3& bodyNeck = parts.landmarks()->neck;
+  if (openings.find(OpeningKind::Hood) != nullptr) {
+    constexpr double aboveHead = 0.01;  // [m]
+    const Eigen::AlignedBox3d box = sim::boundsOf(garment);
+    const Opening* sleeve = openings.find(OpeningKind::LeftSleeve);
+    const double middle = sleeve != nullptr ? sleeve->centre.z() : box.center().z();
+    return Vec3(bodyNeck.x() - box.center().x(), parts.landmarks()->top + aboveHead - box.max().y(),
+                bodyNeck.z() - middle);
+  }
   if (const Opening* neck = openings.find(OpeningKind::Neck)) {
     return bodyNeck - neck->centre;
   }
@@ -79,8 +88,7 @@ class Badness {
   [[nodiscard]] double of(const std::vector<Vec3>& positions, double limit) {
     constexpr double missedOpening = 1e4;
     bend_.aim(openings_, positions);
-    double sum =
-        missedOpening * static_cast<double>(wearing_.missed(positions, bend_.bent(body_.centreLines())).size());
+    double sum = missedOpening * static_cast<double>(wearing_.missed(positions, bend_.reach()).size());
     const std::array<std::pair<std::size_t, double>, 4> weights{
         {{body_.thinnest(), 100.0}, {body_.centreLines(), 20.0}, {body_.centreLines() / 2, 2.0}, {0, 1.0}}};
     for (const auto& [frame, weight] : weights) {
@@ -94,7 +102,7 @@ class Badness {
   /// Whether the centre lines are inside the garment and pass through its openings.
   [[nodiscard]] bool isWorn(const std::vector<Vec3>& positions) {
     bend_.aim(openings_, positions);
-    return wearing_.missed(positions, bend_.bent(body_.centreLines())).empty() &&
+    return wearing_.missed(positions, bend_.reach()).empty() &&
            wearing_.pairs(positions, bend_.bent(body_.thinnest())) == 0;
   }
 
@@ -189,7 +197,7 @@ Placement place(const sim::ClothMesh& garment, const ShrinkingBody& body, const 
   sim::ClothMesh turned{moved(garment.positions, result.pose), garment.triangles};
   std::optional<Vec3> shift;
   if (rule != PlacementRule::Boxes) {
-    shift = shiftByLandmarks(GarmentOpenings(turned), parts);
+    shift = shiftByLandmarks(turned.positions, GarmentOpenings(turned), parts);
   }
   result.rule = shift ? PlacementRule::Landmarks : PlacementRule::Boxes;
   result.pose.position += shift ? *shift : shiftByBoxes(turned.positions, body, parts);

@@ -13,7 +13,7 @@ namespace drape::dressing {
 enum class PlacementRule {
   Auto,       ///< File if the garment is around the body there, else Landmarks, else Boxes
   File,       ///< the coordinates of both files
-  Landmarks,  ///< neck on neck, sleeves on arms, or waist on waist
+  Landmarks,  ///< neck on neck, sleeves on arms, waist on waist, or hood over the head
   Boxes       ///< the middle above the middle, and the top at the shoulders of a person or the top of another body
 };
 

@@ -8,13 +8,28 @@ namespace {
 
 /// The parts that may pass through an opening.
 std::vector<BodyPart> partsThrough(OpeningKind kind) {
-  if (kind == OpeningKind::LeftSleeve) {
-    return {BodyPart::LeftArm};
+  switch (kind) {
+    case OpeningKind::LeftSleeve:
+      return {BodyPart::LeftArm};
+    case OpeningKind::RightSleeve:
+      return {BodyPart::RightArm};
+    case OpeningKind::LeftLeg:
+      return {BodyPart::LeftLeg};
+    case OpeningKind::RightLeg:
+      return {BodyPart::RightLeg};
+    case OpeningKind::Neck:
+    case OpeningKind::Waist:
+      return {BodyPart::Whole, BodyPart::Head, BodyPart::Trunk};
+    case OpeningKind::Hood:
+    case OpeningKind::Hem:
+      break;
   }
-  if (kind == OpeningKind::RightSleeve) {
-    return {BodyPart::RightArm};
-  }
-  return {BodyPart::Whole, BodyPart::Head, BodyPart::Trunk, BodyPart::LeftLeg, BodyPart::RightLeg};
+  return {};
+}
+
+/// Whether an opening is for one part of a person, so that it is wrong if this part does not pass through it.
+bool isForLimb(OpeningKind kind) {
+  return isSleeve(kind) || isLeg(kind);
 }
 
 }  // namespace
@@ -48,7 +63,7 @@ bool Wearing::passes(const Opening& opening, std::span<const Vec3> positions, co
 std::vector<const Opening*> Wearing::missed(std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
   std::vector<const Opening*> result;
   for (const Opening& opening : openings_.all()) {
-    const bool counts = opening.kind != OpeningKind::Hem && (parts_.isPerson() || !isSleeve(opening.kind));
+    const bool counts = !partsThrough(opening.kind).empty() && (parts_.isPerson() || !isForLimb(opening.kind));
     if (counts && !passes(opening, positions, body)) {
       result.push_back(&opening);
     }
@@ -90,11 +105,12 @@ std::vector<Fault> Wearing::wallFaults(std::span<const Vec3> positions,
   return result;
 }
 
-std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame) const {
+std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame,
+                                   const std::vector<Vec3>& reach) const {
   std::vector<Fault> result = wallFaults(positions, intersecting(positions, body_.frames()[frame]));
-  for (const Opening* opening : missed(positions, body_.frames()[frame])) {
-    if (isSleeve(opening->kind)) {
-      result.push_back({FaultKind::MissesOpening, partsThrough(opening->kind).front(), true, 0});
+  for (const Opening* opening : missed(positions, reach)) {
+    if (isForLimb(opening->kind)) {
+      result.push_back({FaultKind::MissesOpening, partsThrough(opening->kind).front(), isSleeve(opening->kind), 0});
     }
   }
   return result;

@@ -13,7 +13,7 @@ namespace drape::dressing {
 /// What is wrong with a garment on a body.
 enum class FaultKind {
   PassesWall,    ///< a part of the body passes through the triangles of the garment
-  MissesOpening  ///< an arm does not pass through the opening of its sleeve
+  MissesOpening  ///< an arm or a leg does not pass through the opening of its sleeve or its trouser leg
 };
 
 /// A part of a body and what is wrong with the garment there.
@@ -38,7 +38,7 @@ class Wearing {
   /// The same for any shape of the body [m].
   [[nodiscard]] std::size_t pairs(std::span<const Vec3> positions, const std::vector<Vec3>& body) const;
 
-  /// The openings for neck, waist and arms through which nothing of the right part of the body passes.
+  /// The openings for neck, waist, arms and legs through which nothing of the right part of the body passes.
   [[nodiscard]] std::vector<const Opening*> missed(std::span<const Vec3> positions,
                                                    const std::vector<Vec3>& body) const;
 
@@ -48,8 +48,10 @@ class Wearing {
   [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions,
                                               std::span<const intersection::TrianglePair> pairs) const;
 
-  /// Everything that is wrong, by part of the body.
-  [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame) const;
+  /// Everything that is wrong, by part of the body. @param reach the body with arms and legs of their full length: what
+  /// passes through the openings [m]
+  [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame,
+                                          const std::vector<Vec3>& reach) const;
 
  private:
   [[nodiscard]] std::vector<intersection::TrianglePair> intersecting(std::span<const Vec3> positions,

@@ -1,4 +1,5 @@
 #include "dressing/placement.hpp"
+#include "../scene/garment_shapes.hpp"
 #include "shapes.hpp"
 #include "sim/model/bounds.hpp"
 
@@ -16,20 +17,9 @@ const std::function<void(double)> noProgress = [](double) {};
 std::size_t faultsOf(const sim::ClothMesh& garment, const ShrinkingBody& body) {
   const BodyParts parts(body);
   const GarmentOpenings openings(garment);
-  return Wearing(body, parts, openings, garment.triangles).faults(garment.positions, body.centreLines()).size();
-}
-
-TEST(GarmentOpenings, areNamedOnATshirtAndATube) {
-  const GarmentOpenings ofShirt(tshirt());
-  ASSERT_EQ(ofShirt.all().size(), 4U);
-  ASSERT_NE(ofShirt.find(OpeningKind::LeftSleeve), nullptr);
-  EXPECT_GT(ofShirt.find(OpeningKind::LeftSleeve)->centre.x(), 0.3);
-  EXPECT_LT(ofShirt.find(OpeningKind::RightSleeve)->centre.x(), -0.3);
-  EXPECT_GT(ofShirt.find(OpeningKind::Neck)->centre.y(), 1.3);
-  EXPECT_FALSE(ofShirt.facesBack());
-  const GarmentOpenings ofTube(tube(0.2, 0.5));
-  EXPECT_NE(ofTube.find(OpeningKind::Waist), nullptr);
-  EXPECT_EQ(ofTube.find(OpeningKind::LeftSleeve), nullptr);
+  return Wearing(body, parts, openings, garment.triangles)
+      .faults(garment.positions, body.centreLines(), body.frames().front())
+      .size();
 }
 
 TEST(Placement, leavesAGarmentThatIsAroundTheBody) {
@@ -57,6 +47,60 @@ TEST(Placement, bringsATurnedTshirtFromFarAwayOntoTheBody) {
   }
 }
 
+TEST(Placement, putsBothLegsIntoTheirTrouserLegs) {
+  const ShrinkingBody body(figure());
+  for (const double quarters : {0.0, 1.0}) {
+    sim::ClothMesh trousers = scene::testing::trousers(0.75);
+    sim::contact::Pose away;
+    away.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
+    away.position = Vec3(1.3, -0.7, 2.0);
+    trousers.positions = moved(trousers.positions, away);
+    const Placement placement = place(trousers, body, BodyParts(body), PlacementRule::Auto, noProgress);
+    EXPECT_EQ(placement.rule, PlacementRule::Landmarks);
+    trousers.positions = moved(trousers.positions, placement.pose);
+    EXPECT_EQ(faultsOf(trousers, body), 0U) << quarters;
+  }
+}
+
+TEST(Wearing, namesALegThatIsBesideItsTrouserLeg) {
+  const ShrinkingBody body(figure());
+  const BodyParts parts(body);
+  const sim::ClothMesh aside = shifted(scene::testing::trousers(0.75), {0.22, 0.08, 0.0});  // left leg in the right one
+  const GarmentOpenings openings(aside);
+  const std::vector<Fault> faults = Wearing(body, parts, openings, aside.triangles)
+                                        .faults(aside.positions, body.centreLines(), body.frames().front());
+  for (const BodyPart leg : {BodyPart::LeftLeg, BodyPart::RightLeg}) {
+    EXPECT_TRUE(std::ranges::any_of(
+        faults, [&](const Fault& fault) { return fault.kind == FaultKind::MissesOpening && fault.part == leg; }));
+  }
+}
+
+TEST(Placement, putsAHoodOverTheHeadWithItsOpeningInFront) {
+  const ShrinkingBody body(figure());
+  const Vec3 head(0.0, 1.62, 0.02);
+  for (const double quarters : {0.0, 1.0, 2.0}) {
+    sim::ClothMesh robe = scene::testing::hoodedRobe();
+    sim::contact::Pose away;
+    away.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
+    away.position = Vec3(1.3, -0.7, 2.0);
+    robe.positions = moved(robe.positions, away);
+    const Placement placement = place(robe, body, BodyParts(body), PlacementRule::Auto, noProgress);
+    robe.positions = moved(robe.positions, placement.pose);
+    const Vec3 face = GarmentOpenings(robe).find(OpeningKind::Hood)->centre;
+    EXPECT_GT(face.z(), head.z() + 0.05) << quarters;
+    EXPECT_NEAR(face.y(), head.y(), 0.1) << quarters;
+    EXPECT_NEAR(face.x(), 0.0, 0.03) << quarters;
+  }
+}
+
+TEST(Placement, doesNotTakeARingAroundTheFeetForWorn) {
+  const ShrinkingBody body(figure());
+  const sim::ClothMesh ring = shifted(tube(0.25, 0.2), {0.0, 0.15, 0.0});
+  const Placement placement = place(ring, body, BodyParts(body), PlacementRule::Auto, noProgress);
+  EXPECT_EQ(placement.rule, PlacementRule::Landmarks);
+  EXPECT_GT(placement.pose.position.y(), 0.5);
+}
+
 TEST(Placement, putsATubeAboveTheMiddleOfABodyThatIsNoPerson) {
   const ShrinkingBody body(ellipsoid({0.2, 0.5, 0.2}));
   const sim::ClothMesh garment = shifted(tube(0.25, 0.4), {2.0, 1.0, 0.5});
@@ -72,8 +116,8 @@ TEST(Wearing, namesTheArmsThatPassThroughTheWallsOfTheSleeves) {
   const BodyParts parts(body);
   const sim::ClothMesh raised = shifted(tshirt(), {0.0, 0.2, 0.0});
   const GarmentOpenings openings(raised);
-  const std::vector<Fault> faults =
-      Wearing(body, parts, openings, raised.triangles).faults(raised.positions, body.centreLines());
+  const std::vector<Fault> faults = Wearing(body, parts, openings, raised.triangles)
+                                        .faults(raised.positions, body.centreLines(), body.frames().front());
   for (const BodyPart arm : {BodyPart::LeftArm, BodyPart::RightArm}) {
     EXPECT_TRUE(std::ranges::any_of(faults, [&](const Fault& fault) {
       return fault.kind == FaultKind::PassesWall && fault.part == arm && fault.atSleeve && fault.pairs > 0;

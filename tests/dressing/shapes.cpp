@@ -14,6 +14,11 @@ const sim::ClothMesh& mannequin() {
   return mesh;
 }
 
+const sim::ClothMesh& figure() {
+  static const sim::ClothMesh mesh = io::weldMesh(io::makeFigure(), "figure", {}).cloth;
+  return mesh;
+}
+
 const sim::ClothMesh& tshirt() {
   static const sim::ClothMesh mesh = io::weldMesh(io::makeTshirt(), "T-shirt", {}).cloth;
   return mesh;

@@ -10,6 +10,9 @@ namespace drape::dressing::testing {
 [[nodiscard]] const sim::ClothMesh& mannequin();
 [[nodiscard]] const sim::ClothMesh& tshirt();
 
+/// The figure of the tree, a person with legs.
+[[nodiscard]] const sim::ClothMesh& figure();
+
 /// An upright ellipsoid around the origin. @param half axes [m]
 [[nodiscard]] sim::ClothMesh ellipsoid(const Vec3& half);
 

@@ -108,6 +108,37 @@ sim::ClothMesh trousers(double legs) {
   return part(whole, [&](const Vec3& p) { return p.y() > 0.0 && p.y() < legs + 0.25; });
 }
 
+sim::ClothMesh briefs() {
+  const sim::ClothMesh shorts = trousers(0.2);
+  io::RawMesh whole;
+  whole.positions = shorts.positions;
+  whole.triangles = shorts.triangles;
+  return part(whole, [](const Vec3& p) { return p.y() > 0.1 + 1.3 * (std::abs(p.x()) - 0.05); });
+}
+
+sim::ClothMesh hoodedRobe() {
+  const auto solid = [](const Vec3& p) {
+    double distance = io::distanceTo(io::TaperedBar{Vec3(0, -0.2, 0), Vec3(0, 1.3, 0), 0.32, 0.2, 0.7}, p);
+    distance =
+        io::joined(distance, io::distanceTo(io::TaperedBar{Vec3(0, 1.3, 0), Vec3(0, 1.55, 0), 0.12, 0.11}, p), 0.04);
+    distance = io::joined(distance, io::distanceTo(io::Ellipsoid{Vec3(0, 1.6, 0.02), Vec3(0.14, 0.18, 0.16)}, p), 0.04);
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 shoulder(side * 0.16, 1.36, 0.0);
+      const io::TaperedBar arm{shoulder, shoulder + 0.9 * armDirection(side, 35.0), 0.09, 0.16};
+      distance = io::joined(distance, io::distanceTo(arm, p), 0.04);
+    }
+    return distance;
+  };
+  const io::RawMesh whole = io::surfaceOf(solid, Vec3(-1.3, -0.6, -0.5), Vec3(1.3, 1.9, 0.5), cell);
+  return part(whole, [](const Vec3& p) {
+    const double side = p.x() < 0.0 ? -1.0 : 1.0;
+    const bool pastCuff =
+        (p - Vec3(side * 0.16, 1.36, 0.0)).dot(armDirection(side, 35.0)) > 0.6 && std::abs(p.x()) > 0.35;
+    const bool inFace = p.z() > 0.05 && std::abs(p.x()) < 0.09 && std::abs(p.y() - 1.6) < 0.1;
+    return p.y() > 0.1 && !pastCuff && !inFace;
+  });
+}
+
 sim::ClothMesh apron() {
   // A sheet with a hole for the head, whose upper end is bent backwards.
   constexpr double bend = 0.85;  // [m]

@@ -32,6 +32,12 @@ struct GarmentSizes {
 /// Trousers with legs of that length below the crotch [m].
 [[nodiscard]] sim::ClothMesh trousers(double legs);
 
+/// Briefs: trousers whose legs end obliquely at the hips, so that their openings face sideways, too.
+[[nodiscard]] sim::ClothMesh briefs();
+
+/// A robe of 1.7 m with wide sleeves, and a hood that is open towards +z.
+[[nodiscard]] sim::ClothMesh hoodedRobe();
+
 /// An apron in front of the xy plane, with a band around the neck that is behind it.
 [[nodiscard]] sim::ClothMesh apron();
 

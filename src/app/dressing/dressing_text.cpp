@@ -78,7 +78,8 @@ Sentence pairsText(std::size_t pairs) {
 /// @param subject the part of the body
 Sentence faultOf(const dressing::Fault& fault, const Sentence& subject) {
   if (fault.kind == dressing::FaultKind::MissesOpening) {
-    return Sentence("{} does not pass through the opening of its sleeve", subject);
+    return fault.atSleeve ? Sentence("{} does not pass through the opening of its sleeve", subject)
+                          : Sentence("{} does not pass through the opening of its trouser leg", subject);
   }
   return Sentence("{} passes through {} ({})", subject, wallOf(fault), pairsText(fault.pairs));
 }
