@@ -138,8 +138,11 @@ bool EnergyGuard::hasGrown(const StepEnergy& energy, double work, bool isRetry, 
   if (!std::isfinite(growth) || !std::isfinite(energy.end) || !std::isfinite(energy.contactWork)) {
     return true;
   }
-  if (energy.ends && memory.energyDrift + energy.end - energy.start - energy.contactWork - work >
-                         tuning.maxRemovedEnergy * referenceEnergy(energy.start, 1.0)) {
+  const double visibleReference = referenceEnergy(energy.start, 1.0);
+  // A larger drift could not be removed from the motion. No retry can remove it either.
+  const double removable = std::min(memory.energyDrift, tuning.maxEnergyDrift * visibleReference);
+  if (energy.ends &&
+      removable + energy.end - energy.start - energy.contactWork - work > tuning.maxRemovedEnergy * visibleReference) {
     return true;
   }
   // In an unstable step velocities alternate in sign, and v.v' becomes negative without bound.

@@ -175,8 +175,16 @@ TEST_F(DecidingOnAStep, testsARetryByItselfWithoutTheSumOfEarlierSteps) {
 TEST_F(DecidingOnAStep, refusesAStepIfTheVisibleEnergyRoseTooFarToRemoveIt) {
   EXPECT_FALSE(guard.hasGrown(growth(0.0, 0.9 * tuning.maxRemovedEnergy * fall), 0.0, false, memory));
   EXPECT_TRUE(guard.hasGrown(growth(0.0, 1.1 * tuning.maxRemovedEnergy * fall), 0.0, false, memory));
-  memory.energyDrift = 0.5 * tuning.maxRemovedEnergy * fall;
-  EXPECT_TRUE(guard.hasGrown(growth(0.0, 0.6 * tuning.maxRemovedEnergy * fall), 0.0, false, memory));
+  const StepEnergy nearLimit = growth(0.0, (tuning.maxRemovedEnergy - 0.5 * tuning.maxEnergyDrift) * fall);
+  EXPECT_FALSE(guard.hasGrown(nearLimit, 0.0, false, memory));
+  memory.energyDrift = tuning.maxEnergyDrift * fall;
+  EXPECT_TRUE(guard.hasGrown(nearLimit, 0.0, false, memory));
+}
+
+TEST_F(DecidingOnAStep, acceptsAStepIfOnlyEarlierStepsGainedEnergyThatCouldNotBeRemoved) {
+  memory.energyDrift = 10.0 * tuning.maxRemovedEnergy * fall;
+  EXPECT_FALSE(guard.hasGrown(growth(0.0, 0.5 * tuning.maxRemovedEnergy * fall), 0.0, false, memory));
+  EXPECT_TRUE(guard.hasGrown(growth(0.0, 1.1 * tuning.maxRemovedEnergy * fall), 0.0, false, memory));
 }
 
 TEST_F(DecidingOnAStep, removesTheVisibleEnergyAboveTheAllowedDriftFromTheMotion) {
