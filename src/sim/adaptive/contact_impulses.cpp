@@ -18,6 +18,12 @@ constexpr int maxSweeps = 6;
 constexpr int maxSweepsOfSlow = 60;
 constexpr double slowSpeed = 0.1;  // [m/s]
 
+/// A contact that slips more slowly than this still has the static coefficient. Substeps are so short that rounding and
+/// vibrations of stiff cloth move a vertex at rest by as much as its weight does. With the kinetic coefficient it would
+/// never rest again. Real friction falls to the kinetic one in the same range of speeds (Stribeck's curve). Larger:
+/// cloth begins to slide later.
+constexpr double slowSlip = 5e-3;  // [m/s]
+
 }  // namespace
 
 template <typename T>
@@ -253,8 +259,10 @@ bool ContactImpulses<T>::solve(Contact& contact) {
   }
   Vec3 friction = contact.friction - (relative - along * contact.normal) / contact.inverseMass;
   const double size = friction.norm();
-  if (size > contact.staticFriction * normal) {
-    friction *= contact.kineticFriction * normal / size;
+  const double sticking = contact.staticFriction * normal;
+  if (size > sticking) {
+    const bool isSlow = (size - sticking) * contact.inverseMass < slowSlip;
+    friction *= (isSlow ? sticking : contact.kineticFriction * normal) / size;
   }
   const Vec3 change = (normal - contact.normalImpulse) * contact.normal + friction - contact.friction;
   apply(change, contact);
