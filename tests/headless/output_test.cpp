@@ -47,6 +47,55 @@ TEST(BlowingUp, isAnErrorOfCaptureWhichStillWritesItsPictures) {
   EXPECT_TRUE(std::filesystem::exists(folder / "f_2.png"));
 }
 
+TEST(OutputFiles, neverReplaceAFileThatTheCommandReads) {
+  const auto folder = testFolder();
+  const auto mesh = folder / "sheet.obj";
+  const auto scene = folder / "scene.toml";
+  ASSERT_EQ(headless("run grid --set grid.resolution=5 --seconds 0 --export " + mesh.string()).status, 0);
+  std::ofstream(scene) << "[cloth]\nmesh = \"sheet.obj\"\n";
+  const std::string meshBefore = readFile(mesh);
+  const std::string sceneBefore = readFile(scene);
+  for (const std::string& input : {mesh.string(), scene.string()}) {
+    for (const std::string& output :
+         {mesh.string(), folder.string() + "/../" + folder.filename().string() + "/sheet.obj"}) {
+      for (const std::string& arguments :
+           {"run " + input + " --seconds 0.01 --stats " + output, "run " + input + " --seconds 0.01 --save " + output,
+            "run " + input + " --seconds 0.01 --every 0.01 --positions " + output,
+            "run " + input + " --seconds 0.01 --probe 0 --probe-output " + output,
+            "run " + input + " --seconds 0.01 --export " + output, "bake " + input + " --frames 1 --export " + output,
+            "measure " + input + " --seconds 0.04 --against newton --json " + output,
+            "errors " + input + " --times 0.04 --json " + output, "untangle " + input + " " + output}) {
+        const Outcome outcome = headless(arguments);
+        EXPECT_EQ(outcome.status, 2) << arguments;
+        EXPECT_NE(outcome.errors.find("this file is read by this command"), std::string::npos) << outcome.errors;
+      }
+    }
+  }
+  EXPECT_EQ(headless("run " + scene.string() + " --seconds 0 --stats " + scene.string()).status, 2);
+  EXPECT_EQ(readFile(mesh), meshBefore);
+  EXPECT_EQ(readFile(scene), sceneBefore);
+}
+
+TEST(OutputFiles, ofOneRunHaveDifferentNames) {
+  const auto file = (testFolder() / "all.csv").string();
+  const std::string run = "run grid --set grid.resolution=5 --seconds 0.02 --every 0.01 ";
+  for (const std::string& outputs :
+       {"--positions " + file + " --export " + file, "--export " + file + " --export " + file,
+        "--positions " + file + " --stats " + file, "--save " + file + " --stats " + file}) {
+    const Outcome outcome = headless(run + outputs);
+    EXPECT_EQ(outcome.status, 2) << outputs;
+    EXPECT_NE(outcome.errors.find("this file is also written by"), std::string::npos) << outcome.errors;
+  }
+  EXPECT_EQ(headless(run + "--positions /dev/null --stats /dev/null").status, 0) << "a device takes any output";
+}
+
+TEST(OutputFiles, mayReplaceTheCheckpointThatWasRead) {
+  const auto file = (testFolder() / "sheet.state").string();
+  const std::string run = "run grid --set grid.resolution=5 --save " + file + " --seconds ";
+  ASSERT_EQ(headless(run + "0.02").status, 0);
+  EXPECT_EQ(headless(run + "0.04 --resume " + file).status, 0);
+}
+
 TEST(StandardOutput, thatCannotBeWrittenIsAnErrorOfEveryCommand) {
   const auto folder = testFolder();
   const auto picture = (folder / "f.png").string();

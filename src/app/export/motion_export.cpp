@@ -22,7 +22,8 @@ struct MotionExport::Output {
   std::string name;  ///< for messages
   std::vector<std::size_t> cloths;
   ExportCoordinates coordinates = ExportCoordinates::Scene;
-  bool isSequence = false;  ///< otherwise it holds the last state only
+  bool isSequence = false;       ///< otherwise it holds the last state only
+  bool isFrameSequence = false;  ///< a sequence with a file for each frame
   std::unique_ptr<io::animation::Writer> writer;
   std::size_t vertices = 0;
   int frames = 0;
@@ -144,7 +145,8 @@ void MotionExport::addOutput(const std::string& file, const std::vector<std::siz
   output.cloths = cloths;
   output.isSequence = isSequence(file);
   output.coordinates = coordinatesFor(arguments_.coordinates, format, file, simulation, cloths.size());
-  const FramePattern pattern(file, output.isSequence && !format.holdsFrames ? frames_.count : 1, "--export");
+  output.isFrameSequence = output.isSequence && !format.holdsFrames;
+  const FramePattern pattern(file, output.isFrameSequence ? frames_.count : 1, "--export");
   if (const auto folder = std::filesystem::path(pattern.name(0)).parent_path(); !folder.empty()) {
     makeFolder(folder);
   }
@@ -183,6 +185,18 @@ void MotionExport::finish(const session::Simulation& simulation, const std::vect
       output.writer->finish();
     }
   }
+}
+
+std::vector<std::filesystem::path> MotionExport::files() const {
+  std::vector<std::filesystem::path> names;
+  for (const Output& output : outputs_) {
+    const int frames = output.isFrameSequence ? frames_.count : 1;
+    const FramePattern pattern(output.name, frames, "--export");
+    for (int frame = 0; frame < frames; ++frame) {
+      names.emplace_back(pattern.name(frames_.first + frame));
+    }
+  }
+  return names;
 }
 
 std::vector<std::string> MotionExport::summary() const {

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,8 @@ class MotionExport {
   void addFrame(const session::Simulation& simulation, const std::vector<Vec3>& positions);
   /// Ends the files. @param last positions at the end [m]
   void finish(const session::Simulation& simulation, const std::vector<Vec3>& last);
+  /// The names of all files, those of single frames included.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
   /// One line for each file: its name, frames and vertices.
   [[nodiscard]] std::vector<std::string> summary() const;
 

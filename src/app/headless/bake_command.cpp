@@ -12,6 +12,7 @@
 #include "app/headless/view_arguments.hpp"
 #include "app/progress_line.hpp"
 #include "app/report/stop_signal.hpp"
+#include "app/used_files.hpp"
 #include "messages/error.hpp"
 #include "render/image.hpp"
 
@@ -65,6 +66,7 @@ class Bake {
         // Opened at once, so that a wrong folder shows before the simulation.
         exports_(arguments.exports, simulation, range_),
         folder_(folderName(), simulation.state().positions.size(), film_.empty() ? "none" : arguments.view.inWords()) {
+    requireOwnFiles();
     if (folder_.hasCheckpoint()) {
       resumeFrom(folder_.checkpoint(), simulation_);
       done_ = simulation_.stepIndex() / stepsPerFrame_ + 1;
@@ -124,6 +126,16 @@ class Bake {
     return withSettings(arguments_.exports.files.empty() ? arguments_.film : arguments_.exports.files.front(),
                         simulation_.settings()) +
            ".bake";
+  }
+
+  /// Throws UsageError if a file would replace a file of the scene or another one.
+  void requireOwnFiles() const {
+    UsedFiles files(simulation_.scene());
+    files.read(arguments_.scene.fabrics);
+    files.write(film_, "--film");
+    for (const std::filesystem::path& file : exports_.files()) {
+      files.write(file, "--export");
+    }
   }
 
   void keepFrame() {

@@ -4,6 +4,7 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
 #include "app/progress_line.hpp"
+#include "app/used_files.hpp"
 #include "messages/error_sources_text.hpp"
 #include "report/error_sources.hpp"
 #include "text/number_text.hpp"
@@ -46,6 +47,7 @@ void run(ErrorsArguments& arguments) {
   const auto scene = arguments.scene.load();
   std::ranges::sort(arguments.plan.times);
   std::optional<OutputFile> file;
+  UsedFiles(*scene).write(arguments.json, "--json");
   if (!arguments.json.empty()) {
     file.emplace(arguments.json, "the sources of error");
   }

@@ -3,6 +3,7 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/output_file.hpp"
 #include "app/progress_line.hpp"
+#include "app/used_files.hpp"
 #include "messages/blow_up_text.hpp"
 #include "messages/error.hpp"
 #include "report/error_table.hpp"
@@ -108,6 +109,7 @@ void run(const MeasureArguments& arguments) {
   plan.tolerance.absolute = arguments.referenceTolerance;
   plan.summaryTimes = arguments.summaries;
   std::optional<OutputFile> file;
+  UsedFiles(*scene).write(arguments.json, "--json");
   if (!arguments.json.empty()) {
     file.emplace(arguments.json, "the measurement");
   }

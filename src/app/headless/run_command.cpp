@@ -13,6 +13,7 @@
 #include "app/headless/solver_notes.hpp"
 #include "app/progress_line.hpp"
 #include "app/session_log.hpp"
+#include "app/used_files.hpp"
 #include "messages/accuracy_text.hpp"
 #include "messages/error.hpp"
 #include "messages/solver_warning_text.hpp"
@@ -32,6 +33,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace drape::app {
 namespace {
@@ -155,8 +157,15 @@ void warn(const session::Simulation& simulation) {
 /// The figures, positions and checks of a run, one step after the other.
 class RunOutputs {
  public:
-  RunOutputs(const RunArguments& arguments, session::Simulation& simulation, std::int64_t steps)
+  /// @param files that the run reads and writes, without those of exports
+  RunOutputs(const RunArguments& arguments, session::Simulation& simulation, std::int64_t steps, UsedFiles files)
       : stats_(arguments.stats, steps), progress_(std::in_place), steps_(static_cast<double>(steps)) {
+    if (!arguments.exports.files.empty()) {
+      exports_.emplace(arguments.exports, simulation, steps);
+      for (const std::filesystem::path& file : exports_->files()) {
+        files.write(file, "--export");
+      }
+    }
     if (!arguments.positions.empty()) {
       positions_.emplace(arguments.positions, arguments.every, simulation.settings().step.timeStep);
       positions_->sample(simulation.state());
@@ -164,9 +173,6 @@ class RunOutputs {
     if (arguments.checkIntersections > 0) {
       intersections_.emplace(arguments.checkIntersections);
       intersections_->observe(simulation);
-    }
-    if (!arguments.exports.files.empty()) {
-      exports_.emplace(arguments.exports, simulation, steps);
     }
     if (!arguments.probes.vertices.empty()) {
       probes_.emplace(arguments.probes, simulation);
@@ -231,6 +237,19 @@ class RunOutputs {
   double taken_ = 0.0;
 };
 
+/// The files of a run, without those of exports.
+UsedFiles filesOf(const RunArguments& arguments, const scene::Scene& scene) {
+  UsedFiles files(scene);
+  files.read(arguments.scene.fabrics);
+  files.read(arguments.replay);
+  files.write(withSettings(arguments.save, scene.settings), "--save");  // may replace the checkpoint of --resume
+  files.read(arguments.resume);
+  files.write(arguments.stats, "--stats");
+  files.write(arguments.positions, "--positions");
+  files.write(arguments.probes.file, "--probe-output");
+  return files;
+}
+
 /// Runs a recorded session again. It must end in the same bits.
 void replay(const RunArguments& arguments) {
   // The number of threads is that of this run. A wrong one is an error of the command line, not of the log.
@@ -241,7 +260,7 @@ void replay(const RunArguments& arguments) {
   const auto scene = openLoggedScene(log);
   printMeshWarnings(*scene);
   session::Simulation simulation(scene);
-  RunOutputs outputs(arguments, simulation, log.steps);
+  RunOutputs outputs(arguments, simulation, log.steps, filesOf(arguments, *scene));
   simulation.replay(log.commands, log.steps, [&] { outputs.addStep(simulation); });
   outputs.finish(simulation);
   const std::string hash = sim::toHex(sim::stateHash(simulation.state()));
@@ -281,6 +300,7 @@ void run(RunArguments arguments) {
     arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
   }
   const auto scene = report::withJitteredStart(arguments.scene.load(), arguments.jitter);
+  UsedFiles files = filesOf(arguments, *scene);
   if (arguments.resume.empty()) {
     printPiercedStart(scene);
   }
@@ -294,7 +314,7 @@ void run(RunArguments arguments) {
     save.emplace(withSettings(arguments.save, simulation.settings()), simulation);
   }
   const std::int64_t steps = stepsLeft(*arguments.seconds, simulation);
-  RunOutputs outputs(arguments, simulation, steps);
+  RunOutputs outputs(arguments, simulation, steps, std::move(files));
   for (std::int64_t i = 0; i < steps && !simulation.blewUp(); ++i) {
     simulation.step();
     outputs.addStep(simulation);

@@ -4,6 +4,7 @@
 #include "app/headless/commands.hpp"
 #include "app/output_file.hpp"
 #include "app/progress_line.hpp"
+#include "app/used_files.hpp"
 #include "intersection/intersections.hpp"
 #include "io/obj_writer.hpp"
 #include "messages/error.hpp"
@@ -85,6 +86,7 @@ void run(const UntangleArguments& arguments) {
   requireObjName(arguments.output);
   const auto scene = arguments.scene.load();
   const std::vector<Vec3>& start = scene->start.positions;
+  UsedFiles(*scene).write(arguments.output, "the output");
   OutputFile file(arguments.output, "the mesh");
   const auto free = withPins(*scene->model, std::vector<bool>(start.size(), false));
   const std::size_t before = intersectingPairsIn(*free, start);
