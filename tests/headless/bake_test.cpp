@@ -35,6 +35,19 @@ TEST(Bake, continuesAfterAKillToTheSameBytes) {
   EXPECT_FALSE(std::filesystem::exists(folder / "killed/a.pc2.bake"));
 }
 
+TEST(Bake, doesNotContinueWithOtherSettings) {
+  const auto folder = testFolder();
+  const std::string bake = "bake grid --frames 100000 --checkpoint-every 0 --export " + (folder / "a.csv").string();
+  const std::string interrupted =
+      "timeout --foreground --signal=INT 1 " + std::string(DRAPE_HEADLESS) + " " + bake + " >/dev/null 2>&1";
+  EXPECT_NE(std::system(interrupted.c_str()), 0);
+  const Outcome outcome = headless(bake + " --set drag=3");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.errors.find("drag is 3, and was 0"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("remove the folder"), std::string::npos) << outcome.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.csv.bake/checkpoint")) << "the bake can continue";
+}
+
 TEST(Bake, startsFromTheCheckpointOfAnInterruptedBake) {
   const auto folder = testFolder();
   const std::string interrupted = "timeout --foreground --signal=INT 1 " + std::string(DRAPE_HEADLESS) +

@@ -20,6 +20,8 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace drape::app {
 namespace {
@@ -68,7 +70,7 @@ class Bake {
         folder_(folderName(), simulation.state().positions.size(), film_.empty() ? "none" : arguments.view.inWords()) {
     requireOwnFiles();
     if (folder_.hasCheckpoint()) {
-      resumeFrom(folder_.checkpoint(), simulation_);
+      requireNoChange(resumeFrom(folder_.checkpoint(), simulation_));
       done_ = simulation_.stepIndex() / stepsPerFrame_ + 1;
       std::cerr << "note: continues after frame " << done_ - 1 << " of " << folderName() << '\n';
     }
@@ -126,6 +128,15 @@ class Bake {
     return withSettings(arguments_.exports.files.empty() ? arguments_.film : arguments_.exports.files.front(),
                         simulation_.settings()) +
            ".bake";
+  }
+
+  /// Throws UsageError if a setting has changed since the frames in the folder, which would come from two motions.
+  void requireNoChange(const std::vector<std::string>& changes) const {
+    if (!changes.empty()) {
+      throw messages::UsageError(changes.front() +
+                                 "; give the same settings as the unfinished bake, or remove the folder " +
+                                 folderName() + " to start anew");
+    }
   }
 
   /// Throws UsageError if a file would replace a file of the scene or another one.

@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 
 namespace drape::app {
@@ -34,11 +33,9 @@ void CheckpointFile::write(const session::Simulation& simulation) {
   file_.commit();
 }
 
-void resumeFrom(const std::string& file, session::Simulation& simulation) {
+std::vector<std::string> resumeFrom(const std::string& file, session::Simulation& simulation) {
   try {
-    for (const std::string& note : session::continueFrom(wholeFile(file), simulation)) {
-      std::cerr << "note: " << note << '\n';
-    }
+    return session::continueFrom(wholeFile(file), simulation);
   } catch (const messages::InputError& error) {
     throw messages::InputError(file + ": " + error.what());
   }

@@ -4,6 +4,7 @@
 #include "session/simulation.hpp"
 
 #include <string>
+#include <vector>
 
 namespace drape::app {
 
@@ -21,8 +22,8 @@ class CheckpointFile {
   io::animation::PartFile file_;
 };
 
-/// Continues a simulation from a file. Settings that have changed since are noted on standard error. Throws InputError
-/// with the name of the file.
-void resumeFrom(const std::string& file, session::Simulation& simulation);
+/// Continues a simulation from a file. Throws InputError with the name of the file.
+/// @return a sentence for each setting that has changed since, if it acts on the motion
+[[nodiscard]] std::vector<std::string> resumeFrom(const std::string& file, session::Simulation& simulation);
 
 }  // namespace drape::app

@@ -307,7 +307,9 @@ void run(RunArguments arguments) {
   session::Simulation simulation(scene);
   printSolverWarnings(simulation.settings(), simulation.model());
   if (!arguments.resume.empty()) {
-    resumeFrom(arguments.resume, simulation);
+    for (const std::string& change : resumeFrom(arguments.resume, simulation)) {
+      std::cerr << "note: " << change << '\n';
+    }
   }
   std::optional<CheckpointFile> save;
   if (!arguments.save.empty()) {
