@@ -93,7 +93,7 @@ std::vector<Vec3> ArmBend::bent(std::size_t frame) const {
   return turned(frame, std::min(1.0, body_.wayTo(frame) / body_.wayTo(body_.centreLines())));
 }
 
-std::vector<Vec3> ArmBend::reach() const {
+std::vector<Vec3> ArmBend::withFullLength() const {
   return turned(body_.centreLines() / 2, 1.0);  // a hand recedes by 2 cm until then, and by 10 cm at the centre lines
 }
 

@@ -23,8 +23,8 @@ class ArmBend {
   /// A frame of the body with turned arms. The full body is never turned, the centre lines and thinner ones fully.
   [[nodiscard]] std::vector<Vec3> bent(std::size_t frame) const;
 
-  /// A frame whose limbs have nearly their full length, with fully turned arms: for tests what the limbs reach.
-  [[nodiscard]] std::vector<Vec3> reach() const;
+  /// A frame whose limbs have nearly their full length, with fully turned arms: for tests of openings.
+  [[nodiscard]] std::vector<Vec3> withFullLength() const;
 
   /// The body whose frames are all bent.
   [[nodiscard]] ShrinkingBody bentBody() const;

@@ -2,6 +2,7 @@
 
 #include "dressing/arm_bend.hpp"
 #include "dressing/closed_body.hpp"
+#include "dressing/inside.hpp"
 #include "intersection/intersections.hpp"
 #include "sim/model/bounds.hpp"
 
@@ -49,23 +50,46 @@ std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const s
   return frame;
 }
 
+/// The stretch that a twentieth of the edges exceeds [-]. A tight garment has 0.1.
+double stretchOf(const sim::ClothModel& model, const std::vector<Vec3>& positions) {
+  std::vector<double> stretches;
+  for (const Triangle& t : model.triangles) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const int a = t[corner];
+      const int b = t[(corner + 1) % 3];
+      const double rest = (model.restPositions[b] - model.restPositions[a]).norm();
+      stretches.push_back(rest > 0.0 ? (positions[b] - positions[a]).norm() / rest - 1.0 : 0.0);
+    }
+  }
+  if (stretches.empty()) {
+    return 0.0;
+  }
+  const auto place = stretches.begin() + static_cast<std::ptrdiff_t>(stretches.size() - 1 - stretches.size() / 20);
+  std::ranges::nth_element(stretches, place);
+  return *place;
+}
+
 class Dresser {
  public:
-  /// @param reach of the limbs where the garment is placed, see Wearing::faults
+  /// @param limbs the body with limbs of their full length, see Wearing::faults
   Dresser(const sim::ClothModel& model, const DressingOptions& options, const Wearing& wearing,
-          const ShrinkingBody& body, std::vector<Vec3> reach)
-      : model_(model), options_(options), wearing_(wearing), body_(body), reach_(std::move(reach)) {}
+          const ShrinkingBody& body, std::vector<Vec3> limbs)
+      : model_(model), options_(options), wearing_(wearing), body_(body), limbs_(std::move(limbs)) {}
 
   void run(std::vector<Vec3> positions, Dressed& result) const {
     result.before = pairsOf(positions);
-    result.atCentreLines = wearing_.faults(positions, body_.centreLines(), reach_);
+    result.atCentreLines = wearing_.faults(positions, body_.centreLines(), limbs_);
     const std::size_t frame = freeFrame(wearing_, body_, positions);
     result.shrunk = body_.wayTo(frame);
     result.positions = positions;
     result.after = result.before;
     result.fits = wearing_.pairs(positions, frame) == 0;
-    if (!result.fits) {
-      result.faults = wearing_.faults(positions, frame, reach_);
+    constexpr double largestShare = 0.05;
+    const bool isInside = shareInside(positions, body_.frames()[frame], body_.triangles()) > largestShare;
+    if (!result.fits || isInside) {
+      result.fits = false;
+      result.faults =
+          isInside ? std::vector<Fault>{{.kind = FaultKind::InsideBody}} : wearing_.faults(positions, frame, limbs_);
       return;
     }
     Fitting fitting(model_, std::move(positions), body_, frame, options_.step);
@@ -76,6 +100,7 @@ class Dresser {
     settle(fitting);
     result.positions = fitting.positions();
     result.after = pairsOf(result.positions);
+    result.stretch = stretchOf(model_, result.positions);
     result.faults = wearing_.faults(result.positions, 0, body_.frames().front());
   }
 
@@ -100,7 +125,7 @@ class Dresser {
   const DressingOptions& options_;
   const Wearing& wearing_;
   const ShrinkingBody& body_;
-  std::vector<Vec3> reach_;
+  std::vector<Vec3> limbs_;
 };
 
 }  // namespace
@@ -149,7 +174,7 @@ Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, cons
   bend.aim(openings, positions);
   const ShrinkingBody bent = bend.bentBody();
   const Wearing wearing(bent, parts, openings, model.triangles);
-  Dresser(model, options, wearing, bent, bend.reach()).run(std::move(positions), result);
+  Dresser(model, options, wearing, bent, bend.withFullLength()).run(std::move(positions), result);
   return result;
 }
 

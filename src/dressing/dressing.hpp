@@ -32,7 +32,8 @@ struct Pairs {
 /// A dressed body.
 struct Dressed {
   Placement placement;  ///< with `move` and `turn`
-  /// Whether even the thinnest body is outside the triangles of the garment. Otherwise nothing was moved.
+  /// Whether the thinnest body is outside the triangles of the garment, and the garment outside it. Otherwise nothing
+  /// was moved.
   bool fits = true;
   int openings = 0;     ///< of the garment
   int filledHoles = 0;  ///< of the body
@@ -40,6 +41,7 @@ struct Dressed {
   Pairs after;
   std::vector<Fault> atCentreLines;  ///< what is wrong with the centre lines where the garment was placed
   std::vector<Fault> faults;         ///< what is wrong at the end
+  double stretch = 0.0;              ///< at the end, of the tightest twentieth of the edges: 0.1 is a tenth longer [-]
   double shrunk = 0.0;               ///< the way of the vertex that moved most while the body was shrunk [m]
   std::vector<Vec3> positions;       ///< of the garment [m]
 };

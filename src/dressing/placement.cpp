@@ -88,7 +88,7 @@ class Badness {
   [[nodiscard]] double of(const std::vector<Vec3>& positions, double limit) {
     constexpr double missedOpening = 1e4;
     bend_.aim(openings_, positions);
-    double sum = missedOpening * static_cast<double>(wearing_.missed(positions, bend_.reach()).size());
+    double sum = missedOpening * static_cast<double>(wearing_.missed(positions, bend_.withFullLength()).size());
     const std::array<std::pair<std::size_t, double>, 4> weights{
         {{body_.thinnest(), 100.0}, {body_.centreLines(), 20.0}, {body_.centreLines() / 2, 2.0}, {0, 1.0}}};
     for (const auto& [frame, weight] : weights) {
@@ -102,7 +102,7 @@ class Badness {
   /// Whether the centre lines are inside the garment and pass through its openings.
   [[nodiscard]] bool isWorn(const std::vector<Vec3>& positions) {
     bend_.aim(openings_, positions);
-    return wearing_.missed(positions, bend_.reach()).empty() &&
+    return wearing_.missed(positions, bend_.withFullLength()).empty() &&
            wearing_.pairs(positions, bend_.bent(body_.thinnest())) == 0;
   }
 

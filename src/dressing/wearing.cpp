@@ -34,6 +34,16 @@ bool isForLimb(OpeningKind kind) {
 
 }  // namespace
 
+/// The part that an opening is for, by which its fault is named.
+BodyPart Wearing::partFor(OpeningKind kind) const {
+  if (!parts_.isPerson()) {
+    return BodyPart::Whole;
+  }
+  return kind == OpeningKind::Neck    ? BodyPart::Head
+         : kind == OpeningKind::Waist ? BodyPart::Trunk
+                                      : partsThrough(kind).front();
+}
+
 Wearing::Wearing(const ShrinkingBody& body, const BodyParts& parts, const GarmentOpenings& openings,
                  std::span<const Triangle> garment)
     : body_(body), parts_(parts), openings_(openings), garment_(garment) {
@@ -106,12 +116,10 @@ std::vector<Fault> Wearing::wallFaults(std::span<const Vec3> positions,
 }
 
 std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t frame,
-                                   const std::vector<Vec3>& reach) const {
+                                   const std::vector<Vec3>& limbs) const {
   std::vector<Fault> result = wallFaults(positions, intersecting(positions, body_.frames()[frame]));
-  for (const Opening* opening : missed(positions, reach)) {
-    if (isForLimb(opening->kind)) {
-      result.push_back({FaultKind::MissesOpening, partsThrough(opening->kind).front(), isSleeve(opening->kind), 0});
-    }
+  for (const Opening* opening : missed(positions, limbs)) {
+    result.push_back({FaultKind::MissesOpening, partFor(opening->kind), isSleeve(opening->kind), 0, opening->kind});
   }
   return result;
 }

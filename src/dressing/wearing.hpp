@@ -13,7 +13,8 @@ namespace drape::dressing {
 /// What is wrong with a garment on a body.
 enum class FaultKind {
   PassesWall,    ///< a part of the body passes through the triangles of the garment
-  MissesOpening  ///< an arm or a leg does not pass through the opening of its sleeve or its trouser leg
+  InsideBody,    ///< the garment is inside the body
+  MissesOpening  ///< a part of the body does not pass through the opening that is for it
 };
 
 /// A part of a body and what is wrong with the garment there.
@@ -22,6 +23,7 @@ struct Fault {
   BodyPart part = BodyPart::Whole;
   bool atSleeve = false;  ///< of an arm only: some of the triangles are nearest to the opening of a sleeve
   std::size_t pairs = 0;  ///< of triangles that intersect; 0 for an opening
+  OpeningKind opening = OpeningKind::Hem;  ///< that is missed
 };
 
 /// Tests how a garment lies on a body, with the exact intersection test.
@@ -48,16 +50,17 @@ class Wearing {
   [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions,
                                               std::span<const intersection::TrianglePair> pairs) const;
 
-  /// Everything that is wrong, by part of the body. @param reach the body with arms and legs of their full length: what
+  /// Everything that is wrong, by part of the body. @param limbs the body with arms and legs of their full length: what
   /// passes through the openings [m]
   [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame,
-                                          const std::vector<Vec3>& reach) const;
+                                          const std::vector<Vec3>& limbs) const;
 
  private:
   [[nodiscard]] std::vector<intersection::TrianglePair> intersecting(std::span<const Vec3> positions,
                                                                      const std::vector<Vec3>& body) const;
   [[nodiscard]] bool passes(const Opening& opening, std::span<const Vec3> positions,
                             const std::vector<Vec3>& body) const;
+  [[nodiscard]] BodyPart partFor(OpeningKind kind) const;
   [[nodiscard]] bool isAtSleeve(int triangle, std::span<const Vec3> positions) const;
 
   const ShrinkingBody& body_;

@@ -109,12 +109,12 @@ bool ClothPieces::isOutline(const BoundaryLoop& loop) const {
   if (piece.loops == 1) {
     return piece.eulerNumber == 1 && piece.area < 1.1 * flatDisc;
   }
-  constexpr double reach = 0.8;  // of the piece; the ends of a tube do not reach from one to the other
+  constexpr double span = 0.8;   // of the piece; the ends of a tube do not extend from one to the other
   constexpr double round = 0.7;  // of the circle with that circumference; the end of a slanted short tube is rounder
-  const bool reachesAround = (loop.box.sizes().array() >= reach * piece.box.sizes().array()).all();
+  const bool spansPiece = (loop.box.sizes().array() >= span * piece.box.sizes().array()).all();
   constexpr double narrow = 0.2;
   constexpr double thick = 0.3;
-  return (reachesAround && loop.area.norm() < round * flatDisc) ||
+  return (spansPiece && loop.area.norm() < round * flatDisc) ||
          (loop.thickness > thick && loop.area.norm() < narrow * flatDisc);
 }
 

@@ -35,7 +35,7 @@ struct ClothPieces {
 
   /// Whether the loop is the outline of a sheet, not an opening of a hollow shape. A flat disc has at most the area of
   /// the circle with its circumference; a sock or a cap has more. The outline of a sheet with holes is far from round:
-  /// that of an apron reaches from one end of the piece to the other along all axes, and that of a jacket which is open
+  /// that of an apron extends from one end of the piece to the other along all axes, and that of a jacket which is open
   /// at the front encloses little area for its length and does not lie in a plane.
   [[nodiscard]] bool isOutline(const BoundaryLoop& loop) const;
 };

@@ -69,6 +69,33 @@ TEST(Dressing, leavesAGarmentThatCannotBeWornWhereItIs) {
   EXPECT_EQ(result.faults.front().part, BodyPart::Whole);
 }
 
+TEST(Dressing, refusesAGarmentInsideTheBody) {
+  const sim::ClothMesh garment = tube(0.05, 0.1);
+  const Dressed result = dress(*modelOf(garment), garment.positions, ellipsoid({0.4, 0.9, 0.4}), asInFiles());
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_FALSE(result.fits);
+  ASSERT_EQ(result.faults.size(), 1U);
+  EXPECT_EQ(result.faults.front().kind, FaultKind::InsideBody);
+  EXPECT_EQ(result.positions, garment.positions);
+}
+
+TEST(Dressing, tellsThatAGarmentHangsBesideTheBody) {
+  const sim::ClothMesh beside = shifted(tube(0.2, 0.2), {0.45, 0.0, 0.0});
+  const Dressed result = dress(*modelOf(beside), beside.positions, ellipsoid({0.2, 0.5, 0.2}), asInFiles());
+  EXPECT_EQ(result.after.all(), 0U);
+  ASSERT_EQ(result.faults.size(), 1U);
+  EXPECT_EQ(result.faults.front().kind, FaultKind::MissesOpening);
+  EXPECT_EQ(result.faults.front().opening, OpeningKind::Waist);
+}
+
+TEST(Dressing, tellsHowFarAGarmentIsStretched) {
+  const sim::ClothMesh body = ellipsoid({0.2, 0.5, 0.2});
+  const sim::ClothMesh loose = tube(0.22, 0.2);
+  EXPECT_LT(dress(*modelOf(loose), loose.positions, body, asInFiles()).stretch, 0.02);
+  const sim::ClothMesh small = tube(0.17, 0.2);
+  EXPECT_GT(dress(*modelOf(small), small.positions, body, asInFiles()).stretch, 0.12);
+}
+
 TEST(Dressing, fillsSmallHolesOfTheBody) {
   const sim::ClothMesh garment = tube(0.19, 0.4);
   const sim::ClothMesh body = ellipsoid({0.2, 0.5, 0.2});

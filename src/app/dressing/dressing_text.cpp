@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace drape::app {
@@ -60,8 +61,15 @@ Sentence wallOf(const dressing::Fault& fault) {
   return Sentence(fault.atSleeve ? "the sleeve's wall" : "the garment");
 }
 
+bool isInside(const dressing::Dressed& result) {
+  return !result.faults.empty() && result.faults.front().kind == dressing::FaultKind::InsideBody;
+}
+
 /// What a garment lacks that is closed where head and arms come out.
 Sentence adviceOnOpenings(const dressing::Dressed& result) {
+  if (isInside(result)) {
+    return Sentence("It is too small for this body; is the unit of both files right?");
+  }
   if (result.openings > 1) {
     return {};
   }
@@ -77,9 +85,16 @@ Sentence pairsText(std::size_t pairs) {
 
 /// @param subject the part of the body
 Sentence faultOf(const dressing::Fault& fault, const Sentence& subject) {
+  if (fault.kind == dressing::FaultKind::InsideBody) {
+    return Sentence("the garment is inside the body");
+  }
   if (fault.kind == dressing::FaultKind::MissesOpening) {
-    return fault.atSleeve ? Sentence("{} does not pass through the opening of its sleeve", subject)
-                          : Sentence("{} does not pass through the opening of its trouser leg", subject);
+    return Sentence(dressing::isSleeve(fault.opening) ? "{} does not pass through the opening of its sleeve"
+                    : dressing::isLeg(fault.opening)  ? "{} does not pass through the opening of its trouser leg"
+                    : fault.opening == dressing::OpeningKind::Waist
+                        ? "{} does not pass through the waist of the garment"
+                        : "{} does not pass through the neck of the garment",
+                    subject);
   }
   return Sentence("{} passes through {} ({})", subject, wallOf(fault), pairsText(fault.pairs));
 }
@@ -175,6 +190,13 @@ Sentence summaryOf(const dressing::Dressed& result, bool isByHand) {
                              : inWords(result.placement.rule);
   Sentence words("{}; {} intersected there, and {} at the end", place, inWords(result.before), inWords(result.after));
   words.append(": ", inWords(result.faults));
+  constexpr double tight = 0.25;
+  if (result.stretch > tight) {
+    words.append("; ",
+                 Sentence("where it is tightest the garment is stretched by {} %, so it is too small or its unit is "
+                          "another one",
+                          static_cast<int>(std::lround(100.0 * result.stretch))));
+  }
   return result.filledHoles > 0
              ? words.append("; ", Sentence("holes of the body that were filled: {}", result.filledHoles))
              : words;

@@ -66,5 +66,27 @@ TEST(PiercingText, countsOtherBodies) {
             "cloth too");
 }
 
+TEST(DressingText, saysThatAGarmentIsInsideTheBody) {
+  dressing::Dressed result;
+  result.fits = false;
+  result.openings = 3;
+  result.faults = {{.kind = FaultKind::InsideBody}};
+  EXPECT_EQ(
+      refusalOf(result, "shorts.obj"),
+      "shorts.obj does not go on the body: even where the body is a thin line, the garment is inside the body. It is "
+      "too small for this body; is the unit of both files right?");
+}
+
+TEST(DressingText, saysThatAGarmentIsTooTight) {
+  dressing::Dressed result;
+  result.stretch = 0.1;
+  EXPECT_EQ(summaryOf(result), "placed as in its file; no triangles intersected there, and no triangles at the end");
+  result.stretch = 1.4;
+  EXPECT_EQ(
+      summaryOf(result),
+      "placed as in its file; no triangles intersected there, and no triangles at the end; where it is tightest the "
+      "garment is stretched by 140 %, so it is too small or its unit is another one");
+}
+
 }  // namespace
 }  // namespace drape::app
