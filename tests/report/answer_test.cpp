@@ -49,6 +49,22 @@ std::string verdictOn(const SectionRows& rows, const std::string& claim) {
   return "no such claim";
 }
 
+/// What the section budget says about a setting that moves that part of the converged motion [-].
+std::string choiceOf(double motionKept) {
+  ReportRow row = setting("one_iteration", 0.1, 1e-6);
+  row["motion_kept"] = motionKept;
+  row["error_max"] = 1e-6;
+  row["reference_step"] = 1e-3;
+  const auto budget = std::ranges::find(sectionTable(), std::string("budget"), &Section::name);
+  const std::vector<Block> blocks = budget->show({}, {row});
+  return std::get<Paragraph>(blocks.front()).text;
+}
+
+TEST(BudgetChoice, saysThatTheChosenSettingHardlyMoves) {
+  EXPECT_NE(choiceOf(0.04).find("moved only 4 % as far"), std::string::npos) << choiceOf(0.04);
+  EXPECT_EQ(choiceOf(0.9).find("moved only"), std::string::npos) << choiceOf(0.9);
+}
+
 TEST(BudgetChoice, takesTheSmallestErrorThatTheBudgetAllows) {
   const ReportRows rows{setting("cheap", 0.05, 1e-2), setting("better", 0.4, 1e-3), setting("best", 3.0, 1e-4),
                         setting("wild", 0.01, 1e-6, "exploded")};

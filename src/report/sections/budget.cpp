@@ -146,6 +146,17 @@ bool anyErrorIsKnown(const ReportRows& rows) {
   return std::any_of(rows.begin(), rows.end(), [](const ReportRow& row) { return row["error_mean"].is_number(); });
 }
 
+/// A warning if the choice hardly moves, which cloth that hardly moves in the measured time does not show.
+std::string motionText(const ReportRow& best) {
+  constexpr double enough = 0.5;
+  constexpr double percent = 100.0;
+  const double kept = numberIn(best, "motion_kept");
+  return kept < enough ? " It moved only " + text::figure(percent * kept, 2) +
+                             " % as far as the converged run, which moved too little to choose by. Measure a longer "
+                             "motion (--seconds)."
+                       : "";
+}
+
 /// The setting to take for a budget, in words.
 std::string choiceText(const ReportRows& rows, double budget) {
   const std::string within = text::figure(budget) + " ms a frame";
@@ -161,7 +172,8 @@ std::string choiceText(const ReportRows& rows, double budget) {
   return "For " + within + " take " + takeText(*best) + ". It costs " + frameCost(*best) + " ms a frame, and after " +
          figure(*best, "time") + " s of motion it is off by " + errorText(*best, errorFloor(rows)) +
          " (mean; largest " + distanceText(numberIn(*best, "error_max")) + "), " +
-         text::figure(percent * numberIn(*best, "error_of_diagonal"), 2) + " % of the cloth's diagonal.";
+         text::figure(percent * numberIn(*best, "error_of_diagonal"), 2) + " % of the cloth's diagonal." +
+         motionText(*best);
 }
 
 std::vector<Block> show(const ReportOptions& options, const ReportRows& rows) {
