@@ -3,6 +3,7 @@
 #include "io/gltf_check.hpp"
 #include "io/import_protocol.hpp"
 #include "io/import_run.hpp"
+#include "io/mesh_outliers.hpp"
 #include "io/obj_check.hpp"
 #include "io/off_check.hpp"
 #include "io/ply_check.hpp"
@@ -160,6 +161,28 @@ ImportedMesh weldNamed(const RawMesh& raw, const std::string& name, std::string_
   }
 }
 
+/// A warning if the coordinates are so large that single precision, in which the importer reads them, changes the
+/// edges.
+std::optional<std::string> roundingWarning(const RawMesh& raw) {
+  constexpr double roundoff = 0x1p-24;
+  constexpr double visible = 1e-3;  // share of an edge
+  constexpr double percent = 100.0;
+  double largest = 0.0;
+  for (const Vec3& position : raw.positions) {
+    largest = std::max(largest, position.cwiseAbs().maxCoeff());
+  }
+  const double edge = medianEdge(raw.positions, raw.triangles);
+  const double rounding = roundoff * largest;
+  if (edge <= 0.0 || rounding < visible * edge) {
+    return std::nullopt;
+  }
+  return fmt::format(
+      "The coordinates are as large as {:.3g}, and single precision rounds them: edges are off by up to {:.2g} % of "
+      "the "
+      "median edge. Move the mesh to the origin in its program and export it again.",
+      largest, percent * 2.0 * rounding / edge);
+}
+
 ImportedMesh importBytes(const std::string& name, std::string_view bytes, const fs::path& folder,
                          const ImportOptions& options) {
   const std::string format = formatOf(name);
@@ -195,6 +218,9 @@ ImportedMesh importBytes(const std::string& name, std::string_view bytes, const 
   ImportedMesh mesh = weldNamed(raw, name, bytes, format, welding);
   mesh.format = factsOfFormat(format);
   mesh.summary.hasSkin = checked.hasSkin;
+  if (const auto warning = roundingWarning(raw)) {
+    mesh.summary.warnings.push_back(*warning);
+  }
   mesh.summary.warnings.insert(mesh.summary.warnings.begin(), checked.warnings.begin(), checked.warnings.end());
   return mesh;
 }

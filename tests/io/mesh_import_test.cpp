@@ -149,6 +149,17 @@ TEST(MeshImport, splitsByTextureCoordinatesButNotByNormals) {
   EXPECT_EQ(seam.summary.vertices, 4);
 }
 
+TEST(MeshImport, warnsWhereTheDistanceFromTheOriginRoundsTheEdges) {
+  const auto squareAt = [](const std::string& x0, const std::string& x1) {
+    return import("a.obj", "v " + x0 + " 0 0\nv " + x1 + " 0 0\nv " + x0 + " 1 0\nv " + x1 + " 1 0\nf 1 2 4 3\n");
+  };
+  EXPECT_TRUE(squareAt("1000.3", "1001.3").summary.warnings.empty());
+  const ImportedMesh far = squareAt("100000.3", "100001.3");
+  ASSERT_EQ(far.summary.warnings.size(), 1U);
+  EXPECT_NE(far.summary.warnings[0].find("as large as 1e+05"), std::string::npos) << far.summary.warnings[0];
+  EXPECT_NE(far.summary.warnings[0].find("off by up to 1.2 %"), std::string::npos) << far.summary.warnings[0];
+}
+
 TEST(MeshImport, leavesOutPointsAndLines) {
   const ImportedMesh mesh = import("a.obj", fourCorners + "f 1 2\nf 1 2 3\nl 1 4\n");
   EXPECT_EQ(mesh.summary.triangles, 1);
