@@ -78,15 +78,16 @@ TEST(OutputFiles, neverReplaceAFileThatTheCommandReads) {
 
 TEST(OutputFiles, ofOneRunHaveDifferentNames) {
   const auto file = (testFolder() / "all.csv").string();
-  const std::string run = "run grid --set grid.resolution=5 --seconds 0.02 --every 0.01 ";
+  const std::string run = "run grid --set grid.resolution=5 --seconds 0.02 ";
   for (const std::string& outputs :
-       {"--positions " + file + " --export " + file, "--export " + file + " --export " + file,
-        "--positions " + file + " --stats " + file, "--save " + file + " --stats " + file}) {
+       {"--every 0.01 --positions " + file + " --export " + file, "--export " + file + " --export " + file,
+        "--every 0.01 --positions " + file + " --stats " + file, "--save " + file + " --stats " + file}) {
     const Outcome outcome = headless(run + outputs);
     EXPECT_EQ(outcome.status, 2) << outputs;
     EXPECT_NE(outcome.errors.find("this file is also written by"), std::string::npos) << outcome.errors;
   }
-  EXPECT_EQ(headless(run + "--positions /dev/null --stats /dev/null").status, 0) << "a device takes any output";
+  EXPECT_EQ(headless(run + "--every 0.01 --positions /dev/null --stats /dev/null").status, 0)
+      << "a device takes any output";
 }
 
 TEST(OutputFiles, mayReplaceTheCheckpointThatWasRead) {

@@ -207,6 +207,15 @@ TEST(Run, refusesWrongUsageWithStatusTwo) {
   }
 }
 
+TEST(Run, refusesOptionsThatWouldHaveNoEffect) {
+  for (const auto& [option, needed] : {std::pair("--every 0.01", "--positions"), std::pair("--rate 25", "--export"),
+                                       std::pair("--coordinates scene", "--export")}) {
+    const Outcome outcome = headless(std::string("run grid --set grid.resolution=5 --seconds 0.02 ") + option);
+    EXPECT_EQ(outcome.status, 2) << option;
+    EXPECT_NE(outcome.errors.find(std::string("requires ") + needed), std::string::npos) << outcome.errors;
+  }
+}
+
 TEST(Run, failsWithStatusOneWhenInputOrOutputCannotBeHad) {
   for (const char* arguments :
        {"run no_such_scene --seconds 1", "run / --seconds 1", "run grid --seconds 0.1 --stats /no/such/folder/s.json",

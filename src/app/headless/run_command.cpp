@@ -340,6 +340,9 @@ void addRunCommand(CLI::App& app) {
       ->type_name("SEED")
       ->check(CLI::Range(0, std::numeric_limits<int>::max()));
   arguments->exports.addTo(*command);
+  for (const char* option : {"--rate", "--coordinates"}) {
+    command->get_option(option)->needs("--export");
+  }
   arguments->probes.addTo(*command);
   command->add_option("--save", arguments->save, "Write a checkpoint at the end, from which --resume continues")
       ->type_name("FILE")
@@ -372,7 +375,8 @@ void addRunCommand(CLI::App& app) {
       ->type_name("FILE")
       ->check(notEmpty());
   command->add_option("--every", arguments->every, "Simulated time between two samples of positions [s]")
-      ->check(numberFrom(1e-6, longestRun));
+      ->check(numberFrom(1e-6, longestRun))
+      ->needs("--positions");
   command
       ->add_option("--check-intersections", arguments->checkIntersections,
                    "Count intersecting triangles exactly, at every N-th step and the last")
