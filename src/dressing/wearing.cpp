@@ -1,7 +1,11 @@
 #include "dressing/wearing.hpp"
 
+#include "dressing/closed_body.hpp"
+#include "dressing/inside.hpp"
+
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace drape::dressing {
 namespace {
@@ -81,6 +85,38 @@ std::vector<const Opening*> Wearing::missed(std::span<const Vec3> positions, con
   return result;
 }
 
+/// Whether the end of a limb is inside the garment and near the opening: the sleeve or the trouser leg is too long.
+bool Wearing::endsBefore(const Opening& opening, std::span<const Vec3> positions,
+                         const std::vector<Vec3>& limbs) const {
+  const auto triangles = trianglesOf_.find(partsThrough(opening.kind).front());
+  if (triangles == trianglesOf_.end()) {
+    return false;
+  }
+  const Vec3& neck = parts_.landmarks()->neck;
+  Vec3 end = neck;
+  for (const Triangle& triangle : triangles->second) {
+    for (const int vertex : triangle) {
+      if ((limbs[vertex] - neck).squaredNorm() > (end - neck).squaredNorm()) {
+        end = limbs[vertex];
+      }
+    }
+  }
+  constexpr double near = 0.5;  // of the distance from neck to opening
+  const Vec3 centre = centreOf(opening, positions);
+  if ((end - centre).norm() > near * (centre - neck).norm()) {
+    return false;
+  }
+  sim::ClothMesh closed = closedBody({{positions.begin(), positions.end()}, {garment_.begin(), garment_.end()}}).mesh;
+  const std::vector<Vec3> point{end};
+  if (shareInside(point, closed.positions, closed.triangles) > 0.0) {
+    return true;
+  }
+  for (Triangle& triangle : closed.triangles) {  // a garment may be inside out
+    std::swap(triangle[0], triangle[1]);
+  }
+  return shareInside(point, closed.positions, closed.triangles) > 0.0;
+}
+
 bool Wearing::isAtSleeve(int triangle, std::span<const Vec3> positions) const {
   const Triangle& corners = garment_[triangle];
   const Vec3 centre = (positions[corners[0]] + positions[corners[1]] + positions[corners[2]]) / 3.0;
@@ -119,6 +155,9 @@ std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t 
                                    const std::vector<Vec3>& limbs) const {
   std::vector<Fault> result = wallFaults(positions, intersecting(positions, body_.frames()[frame]));
   for (const Opening* opening : missed(positions, limbs)) {
+    if (isForLimb(opening->kind) && endsBefore(*opening, positions, limbs)) {
+      continue;
+    }
     result.push_back({FaultKind::MissesOpening, partFor(opening->kind), isSleeve(opening->kind), 0, opening->kind});
   }
   return result;

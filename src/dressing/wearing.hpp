@@ -50,7 +50,8 @@ class Wearing {
   [[nodiscard]] std::vector<Fault> wallFaults(std::span<const Vec3> positions,
                                               std::span<const intersection::TrianglePair> pairs) const;
 
-  /// Everything that is wrong, by part of the body. @param limbs the body with arms and legs of their full length: what
+  /// Everything that is wrong, by part of the body. A sleeve or a trouser leg that is longer than its limb is right.
+  /// @param limbs the body with arms and legs of their full length: what
   /// passes through the openings [m]
   [[nodiscard]] std::vector<Fault> faults(std::span<const Vec3> positions, std::size_t frame,
                                           const std::vector<Vec3>& limbs) const;
@@ -61,6 +62,8 @@ class Wearing {
   [[nodiscard]] bool passes(const Opening& opening, std::span<const Vec3> positions,
                             const std::vector<Vec3>& body) const;
   [[nodiscard]] BodyPart partFor(OpeningKind kind) const;
+  [[nodiscard]] bool endsBefore(const Opening& opening, std::span<const Vec3> positions,
+                                const std::vector<Vec3>& limbs) const;
   [[nodiscard]] bool isAtSleeve(int triangle, std::span<const Vec3> positions) const;
 
   const ShrinkingBody& body_;

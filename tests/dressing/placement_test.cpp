@@ -62,6 +62,27 @@ TEST(Placement, putsBothLegsIntoTheirTrouserLegs) {
   }
 }
 
+TEST(Wearing, takesSleevesThatAreLongerThanTheArms) {
+  const ShrinkingBody body(figure());
+  const BodyParts parts(body);
+  sim::ClothMesh shirt = tshirt();
+  constexpr double sleeve = 0.25;  // from the middle [m]
+  for (Vec3& position : shirt.positions) {
+    const double beyond = std::abs(position.x()) - sleeve;
+    if (beyond > 0.0) {  // 5 times as long, along an arm of the figure
+      position += 4.0 * beyond * Vec3(position.x() > 0.0 ? 1.0 : -1.0, -0.7, 0.1);
+    }
+  }
+  const GarmentOpenings openings(shirt);
+  ASSERT_GT(openings.find(OpeningKind::LeftSleeve)->centre.x(), 0.75);
+  const Wearing wearing(body, parts, openings, shirt.triangles);
+  const std::vector<Vec3>& limbs = body.frames().front();
+  EXPECT_EQ(wearing.missed(shirt.positions, limbs).size(), 2U);
+  for (const Fault& fault : wearing.faults(shirt.positions, body.centreLines(), limbs)) {
+    EXPECT_NE(fault.kind, FaultKind::MissesOpening);
+  }
+}
+
 TEST(Wearing, namesALegThatIsBesideItsTrouserLeg) {
   const ShrinkingBody body(figure());
   const BodyParts parts(body);
