@@ -189,6 +189,8 @@ TEST(Dress, readsTheBodyInItsOwnUnitAndTellsWhatItFound) {
   EXPECT_EQ(tiny.status, 1);
   EXPECT_NE(tiny.output.find("unit: millimetres (chosen)"), std::string::npos) << tiny.output;
   EXPECT_NE(tiny.output.find("up axis: z (chosen)"), std::string::npos) << tiny.output;
+  const Outcome giant = headless(arguments + (folder / "giant.obj").string() + " --body-unit dm --body-up z");
+  EXPECT_NE(giant.errors.find("the body is 6.87 m tall, more than a person"), std::string::npos) << giant.errors;
   EXPECT_NE(failure("builtin:tshirt.obj mannequin --body-unit cm --output " + (folder / "no.obj").string())
                 .find("the body mannequin is built in"),
             std::string::npos);

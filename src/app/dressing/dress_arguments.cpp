@@ -13,7 +13,9 @@
 #include "scene/garment_on_body.hpp"
 #include "scene/unit_guess.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/model/bounds.hpp"
 
+#include <fmt/core.h>
 #include <cmath>
 #include <iostream>
 #include <utility>
@@ -61,6 +63,18 @@ void printNotes(const Dressed& result) {
   if (!result.atCentreLines.empty() && result.before.body > 0) {
     std::cerr << "note: where the garment was placed, the centre lines of the body are not inside it: "
               << inWords(result.atCentreLines) << '\n';
+  }
+}
+
+/// Figures for games are often several metres tall.
+void printNoteOnHeight(const sim::ClothMesh& body) {
+  constexpr double usualHeight = 1.75;  // [m]
+  const double height = sim::boundsOf(body.positions).sizes().y();
+  if (height > scene::largestPerson) {
+    std::cerr << fmt::format(
+        "note: the body is {:.3g} m tall, more than a person. If its unit is wrong, give --body-unit. Else a garment "
+        "for a person of {} m fits with about --scale {:.2g}\n",
+        height, usualHeight, height / usualHeight);
   }
 }
 
@@ -118,6 +132,7 @@ void DressArguments::run() const {
     printFound(choices.body, choices.bodyReading, io::MeshUse::Body);
   }
   const sim::ClothMesh body = dressing::bodiesAtStart(*scene).front().mesh;
+  printNoteOnHeight(body);
   requireDressable({choices.garment, choices.body}, {scene->start.positions, scene->model->triangles}, body);
   const Dressed result = dressed(*scene, body, choices);
   if (!result.fits) {
