@@ -69,12 +69,20 @@ std::vector<scene::Placement> placementsFrom(const Json& json) {
   return placements;
 }
 
+Json toJson(const scene::ReadingChoice& reading) {
+  return {{"unit", reading.unit}, {"up", reading.up}};
+}
+
 Json toJson(const std::vector<std::optional<scene::ReadingChoice>>& readings) {
   Json list = Json::array();
   for (const std::optional<scene::ReadingChoice>& reading : readings) {
-    list.push_back(reading ? Json{{"unit", reading->unit}, {"up", reading->up}} : Json(nullptr));
+    list.push_back(reading ? toJson(*reading) : Json(nullptr));
   }
   return list;
+}
+
+scene::ReadingChoice readingFrom(const Json& json) {
+  return {json.at("unit"), json.at("up")};
 }
 
 /// Logs of earlier versions have no readings.
@@ -83,7 +91,7 @@ std::vector<std::optional<scene::ReadingChoice>> readingsFrom(const Json& json) 
   for (const Json& each : json) {
     readings.emplace_back();
     if (!each.is_null()) {
-      readings.back() = scene::ReadingChoice{each.at("unit"), each.at("up")};
+      readings.back() = readingFrom(each);
     }
   }
   return readings;
@@ -116,6 +124,9 @@ SessionLog parse(const Json& json) {
   log.parts.bodies = json.at("bodies");
   log.parts.caches = json.value("caches", std::vector<std::string>());
   log.parts.dressed = json.value("dressed", false);
+  for (const Json& each : json.value("body_readings", Json::array())) {
+    log.parts.bodyReadings.push_back(readingFrom(each));
+  }
   log.parts.bodyClips = clipsFrom(json.value("clips", Json::array()));
   for (const auto& [key, value] : json.at("settings").items()) {
     log.settings.emplace_back(key, value.get<std::string>());
@@ -200,6 +211,10 @@ void write(const SessionLog& log, OutputFile& file) {
   json["bodies"] = log.parts.bodies;
   json["caches"] = log.parts.caches;
   json["dressed"] = log.parts.dressed;
+  json["body_readings"] = Json::array();
+  for (const scene::ReadingChoice& reading : log.parts.bodyReadings) {
+    json["body_readings"].push_back(toJson(reading));
+  }
   json["clips"] = toJson(log.parts.bodyClips);
   for (const auto& [key, value] : log.settings) {
     json["settings"][key] = value;

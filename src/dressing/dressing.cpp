@@ -85,7 +85,8 @@ class Dresser {
     result.after = result.before;
     result.fits = wearing_.pairs(positions, frame) == 0;
     constexpr double largestShare = 0.05;
-    const bool isInside = shareInside(positions, body_.frames()[frame], body_.triangles()) > largestShare;
+    const bool isInside =
+        result.fits && shareInside(positions, body_.frames()[frame], body_.triangles()) > largestShare;
     if (!result.fits || isInside) {
       result.fits = false;
       result.faults =

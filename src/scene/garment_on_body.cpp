@@ -129,6 +129,7 @@ SceneDescription openGarmentOnBody(const std::string& garment, const std::string
   scene.groundBelowCloth = false;
   scene.ground.reset();
   scene.parts = {.cloth = garment, .bodies = {body}, .dressed = true};
+  scene.parts.bodyReadings = {bodyReading};
   scene.parts.bodyClips = {clip};
   return scene;
 }

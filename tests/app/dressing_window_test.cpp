@@ -249,8 +249,9 @@ TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentSta
   bar.isSolid = true;
   std::ofstream(body) << bar.text();
   const auto log = folder.path() / "session.json";
-  const Wardrobe wardrobe;
-  ViewerDriver viewer({"dress", wardrobe.shirt(), body.string(), "--clip", "bend", "--record", log.string()});
+  // A skirt around a post.
+  ViewerDriver viewer({"dress", "builtin:skirt.obj", body.string(), "--clip", "bend", "--body-unit", "dm", "--record",
+                       log.string()});
   const auto isWorn = [](const Json& s) { return isDressed(s) && s["step"] > 2; };
   const Json bends = viewer.waitUntil("the dressed body", isWorn);
   EXPECT_EQ(bends["bodies"][0]["clip"], "bend");
