@@ -250,8 +250,8 @@ TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentSta
   std::ofstream(body) << bar.text();
   const auto log = folder.path() / "session.json";
   // A skirt around a post.
-  ViewerDriver viewer({"dress", "builtin:skirt.obj", body.string(), "--clip", "bend", "--body-unit", "dm", "--record",
-                       log.string()});
+  ViewerDriver viewer(
+      {"dress", "builtin:skirt.obj", body.string(), "--clip", "bend", "--body-unit", "dm", "--record", log.string()});
   const auto isWorn = [](const Json& s) { return isDressed(s) && s["step"] > 2; };
   const Json bends = viewer.waitUntil("the dressed body", isWorn);
   EXPECT_EQ(bends["bodies"][0]["clip"], "bend");
