@@ -178,8 +178,7 @@ std::optional<std::string> roundingWarning(const RawMesh& raw) {
   }
   return fmt::format(
       "The coordinates are as large as {:.3g}, and single precision rounds them: edges are off by up to {:.2g} % of "
-      "the "
-      "median edge. Move the mesh to the origin in its program and export it again.",
+      "the median edge. Move the mesh to the origin in its program and export it again.",
       largest, percent * 2.0 * rounding / edge);
 }
 
