@@ -22,8 +22,7 @@ void clipList(PanelContext& context, std::size_t body, const std::string& presen
   const std::vector<io::ClipFacts>& clips = context.snapshot.scene->clips[body];
   const auto shown = std::ranges::find(clips, present, &io::ClipFacts::name);
   const std::string title = shown == clips.end() ? present : clipName(*shown, context.texts);
-  const float width =
-      ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
+  const float width = widthBesideArrow();
   if (!ImGui::BeginCombo("##clip", fitted(title, width).c_str(), ImGuiComboFlags_HeightLarge)) {
     return;
   }

@@ -102,8 +102,7 @@ void motionRow(PanelContext& context, std::size_t body, const std::string& key, 
   ImGui::PushID(key.c_str());
   const UiRect row = beginRow(context, "Motion", now.motion != inScene.motion);
   const std::string title = context.texts(now.motion->title);
-  const float width =
-      ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
+  const float width = widthBesideArrow();
   if (ImGui::BeginCombo("##motion", fitted(title, width).c_str(), ImGuiComboFlags_HeightLarge)) {
     for (const figure::Motion& motion : figure::motions()) {
       if (ImGui::Selectable(labelOf(context, motion.title, motion.name).c_str(), &motion == now.motion) &&

@@ -94,8 +94,7 @@ Edit comboWidget(PanelContext& context, const settings::SettingInfo& info, const
                  const std::string& value) {
   Edit edit{.value = value};
   const auto chosen = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.word == value; });
-  const float textWidth =
-      ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;  // beside the arrow
+  const float textWidth = widthBesideArrow();
   const std::string title =
       chosen != choices.end()
           ? chosen->title

@@ -92,6 +92,10 @@ text::Sentence unitInWords(std::string_view unit) {
   return unit == "degrees" ? text::Sentence("degrees") : text::Sentence::verbatim(prettyUnit(unit));
 }
 
+float widthBesideArrow() {
+  return ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
 std::string fitted(std::string_view text, float width) {
   std::string cut(text);
   for (std::size_t limit = text.size(); limit > 1 && sizeOf(cut).x > width; --limit) {
