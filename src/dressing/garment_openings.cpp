@@ -4,6 +4,7 @@
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -196,22 +197,13 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
 
 /// Exchanges left and right.
 void GarmentOpenings::swapSides() {
+  static constexpr std::array<std::array<OpeningKind, 2>, 2> sides{
+      {{OpeningKind::LeftSleeve, OpeningKind::RightSleeve}, {OpeningKind::LeftLeg, OpeningKind::RightLeg}}};
   for (Opening& opening : openings_) {
-    switch (opening.kind) {
-      case OpeningKind::LeftSleeve:
-        opening.kind = OpeningKind::RightSleeve;
-        break;
-      case OpeningKind::RightSleeve:
-        opening.kind = OpeningKind::LeftSleeve;
-        break;
-      case OpeningKind::LeftLeg:
-        opening.kind = OpeningKind::RightLeg;
-        break;
-      case OpeningKind::RightLeg:
-        opening.kind = OpeningKind::LeftLeg;
-        break;
-      default:
-        break;
+    for (const auto& [left, right] : sides) {
+      if (opening.kind == left || opening.kind == right) {
+        opening.kind = opening.kind == left ? right : left;
+      }
     }
   }
 }

@@ -158,7 +158,7 @@ std::vector<Fault> Wearing::faults(std::span<const Vec3> positions, std::size_t 
     if (isForLimb(opening->kind) && endsBefore(*opening, positions, limbs)) {
       continue;
     }
-    result.push_back({FaultKind::MissesOpening, partFor(opening->kind), isSleeve(opening->kind), 0, opening->kind});
+    result.push_back({.kind = FaultKind::MissesOpening, .part = partFor(opening->kind), .opening = opening->kind});
   }
   return result;
 }

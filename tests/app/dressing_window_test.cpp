@@ -102,6 +102,15 @@ class Wardrobe {
   TemporaryFolder folder_;
 };
 
+/// A file of a post with the clips "bend" and "still".
+std::filesystem::path animatedPost(const TemporaryFolder& folder) {
+  auto file = folder.path() / "body.gltf";
+  io::BarFile bar;
+  bar.isSolid = true;
+  std::ofstream(file) << bar.text();
+  return file;
+}
+
 bool isDressed(const Json& state) {
   return state["placed"].get<bool>() && state["dressing"].is_null();
 }
@@ -216,10 +225,7 @@ TEST(DressingInTheWindow, AnotherUnitBeforeAndAfterPlacingIsAppliedAtOnce) {
 
 TEST(DressingInTheWindow, AClipThatIsChosenForADroppedBodyMovesItAndIsReplayed) {
   const TemporaryFolder folder;
-  const auto body = folder.path() / "body.gltf";
-  io::BarFile bar;
-  bar.isSolid = true;
-  std::ofstream(body) << bar.text();
+  const std::filesystem::path body = animatedPost(folder);
   const auto log = folder.path() / "session.json";
   const Wardrobe wardrobe;
   ViewerDriver viewer({wardrobe.shirt(), "--record", log.string()});
@@ -244,10 +250,7 @@ TEST(DressingInTheWindow, AClipThatIsChosenForADroppedBodyMovesItAndIsReplayed) 
 
 TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentStaysDressed) {
   const TemporaryFolder folder;
-  const auto body = folder.path() / "body.gltf";
-  io::BarFile bar;
-  bar.isSolid = true;
-  std::ofstream(body) << bar.text();
+  const std::filesystem::path body = animatedPost(folder);
   const auto log = folder.path() / "session.json";
   // A skirt around a post.
   ViewerDriver viewer(

@@ -29,14 +29,19 @@ TEST(Placement, leavesAGarmentThatIsAroundTheBody) {
   EXPECT_TRUE(placement.pose.position.isZero(0.0));
 }
 
+/// Turned about the vertical, far from the body. @param quarters turns of 90 degrees
+sim::contact::Pose farAway(double quarters) {
+  sim::contact::Pose pose;
+  pose.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
+  pose.position = Vec3(1.3, -0.7, 2.0);
+  return pose;
+}
+
 TEST(Placement, bringsATurnedTshirtFromFarAwayOntoTheBody) {
   const ShrinkingBody body(mannequin());
   for (const double quarters : {0.0, 1.0, 2.0, 3.0}) {
     sim::ClothMesh shirt = tshirt();
-    sim::contact::Pose away;
-    away.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
-    away.position = Vec3(1.3, -0.7, 2.0);
-    shirt.positions = moved(shirt.positions, away);
+    shirt.positions = moved(shirt.positions, farAway(quarters));
     const Placement placement = place(shirt, body, BodyParts(body), PlacementRule::Auto, noProgress);
     EXPECT_EQ(placement.rule, PlacementRule::Landmarks);
     shirt.positions = moved(shirt.positions, placement.pose);
@@ -51,10 +56,7 @@ TEST(Placement, putsBothLegsIntoTheirTrouserLegs) {
   const ShrinkingBody body(figure());
   for (const double quarters : {0.0, 1.0}) {
     sim::ClothMesh trousers = scene::testing::trousers(0.75);
-    sim::contact::Pose away;
-    away.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
-    away.position = Vec3(1.3, -0.7, 2.0);
-    trousers.positions = moved(trousers.positions, away);
+    trousers.positions = moved(trousers.positions, farAway(quarters));
     const Placement placement = place(trousers, body, BodyParts(body), PlacementRule::Auto, noProgress);
     EXPECT_EQ(placement.rule, PlacementRule::Landmarks);
     trousers.positions = moved(trousers.positions, placement.pose);
@@ -101,10 +103,7 @@ TEST(Placement, putsAHoodOverTheHeadWithItsOpeningInFront) {
   const Vec3 head(0.0, 1.62, 0.02);
   for (const double quarters : {0.0, 1.0, 2.0}) {
     sim::ClothMesh robe = scene::testing::hoodedRobe();
-    sim::contact::Pose away;
-    away.rotation = Eigen::AngleAxisd(0.5 * std::numbers::pi * quarters, Vec3::UnitY());
-    away.position = Vec3(1.3, -0.7, 2.0);
-    robe.positions = moved(robe.positions, away);
+    robe.positions = moved(robe.positions, farAway(quarters));
     const Placement placement = place(robe, body, BodyParts(body), PlacementRule::Auto, noProgress);
     robe.positions = moved(robe.positions, placement.pose);
     const Vec3 face = GarmentOpenings(robe).find(OpeningKind::Hood)->centre;
