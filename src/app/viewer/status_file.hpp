@@ -39,7 +39,7 @@ class StatusFile {
   static constexpr const char* help =
       "With --status FILE the viewer replaces FILE about every 50 ms by a JSON object for scripts:\n"
       "  sequence, frame, picture counters of writes, of frames, and of frames that were drawn because they differ\n"
-      "  input_seconds            input before this time of CLOCK_MONOTONIC [s] acted on an earlier frame already\n"
+      "  input_seconds            all input before this time of CLOCK_MONOTONIC [s] was taken by an earlier frame\n"
       "  first_frame_seconds      from the start of the program to its first frame on screen [s]\n"
       "  scene, vertices, pins    name, number of vertices, number of pins\n"
       "  paused, step, time       the clock [s]\n"
