@@ -198,6 +198,9 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
       step.energy = firstKick ? firstEnergy_.data() : lastKick ? lastEnergy_.data() : nullptr;
       kick(step, plan, static_cast<T>(inputs.attachment ? 0.0 : drift), firstKick ? &firstCoarse_ : &lastCoarse_,
            share);
+      if (plan.dampingStages > 0 || inputs.attachment || !contacts_.any()) {
+        team_.arriveAndWait();
+      }
       if (plan.dampingStages > 0) {
         damp(inputs.attachment ? 0.0 : drift, share);
       }
@@ -215,6 +218,7 @@ void AdaptiveRun<T>::move(const ClothModel& model, const StepInputs& inputs, con
   }
 }
 
+/// Its threads do not wait for each other at the end.
 template <typename T>
 void AdaptiveRun<T>::kick(const simd::SliceStep<T>& step, const StepPlan& plan, T drift, double* coarseEnergy,
                           const simd::StepShare& share) {
@@ -229,8 +233,10 @@ void AdaptiveRun<T>::kick(const simd::SliceStep<T>& step, const StepPlan& plan, 
   }
   const int phases = share.first && share.last ? 1 : 2;
   for (int phase = 0; phase < phases; ++phase) {
+    if (phase > 0) {
+      team_.arriveAndWait();
+    }
     simd::verletPhase(*cloth_, step, drift, share, phase);
-    team_.arriveAndWait();
   }
 }
 
@@ -279,6 +285,7 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   }
   still.energy = energy.data();
   kick(still, plan, T(0), &coarseEnergy, share);
+  team_.arriveAndWait();
 }
 
 /// The same as if springs were not softened. @param energy empty if they are not
@@ -298,6 +305,7 @@ void AdaptiveRun<T>::measureVisible(StepPlan plan, std::vector<T>& energy, const
   plan.usesCoarseLevels = false;
   double none = 0.0;
   kick(still, plan, T(0), &none, share);
+  team_.arriveAndWait();
 }
 
 template <typename T>

@@ -4,6 +4,7 @@
 #include "sim/simd/lane_vector.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 
 namespace drape::sim::adaptive {
@@ -58,24 +59,24 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
   }
   separateCoupled();
   findIslands();
+  taken_.assign(islands_.size(), 0);
 }
 
 template <typename T>
 void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
                                     const simd::SlicedCloth<T>& cloth) {
-  Contact contact{.source = source,
+  Contact contact{.normal = from.normal,
                   .isFeaturePair = from.isFeaturePair,
-                  .normal = from.normal,
-                  .height = 0.0,
-                  .restGap = from.restGap,
                   .staticFriction = from.staticFriction,
-                  .kineticFriction = from.kineticFriction};
+                  .kineticFriction = from.kineticFriction,
+                  .restGap = from.restGap,
+                  .source = source};
   double total = 0.0;
   for (std::size_t c = 0; c < from.weights.size(); ++c) {
     const double weight = from.weights[c];
     if (weight != 0.0) {
       const std::size_t slot = slots_[cloth.layout.indexOf[from.vertices[c]]];
-      contact.vertices[contact.count] = slot;
+      contact.vertices[contact.count] = static_cast<std::uint32_t>(slot);
       contact.weights[contact.count++] = weight;
       contact.inverseMass += weight * weight * vertices_[slot].inverseMass;
       total += weight;
@@ -118,29 +119,41 @@ void ContactImpulses<T>::findIslands() {
   DisjointSets sets(vertices_.size());
   for (const Contact& contact : coupled_) {
     const auto free = static_cast<int>(freeVertexOf(contact));
-    for (std::size_t c = 0; c < contact.count; ++c) {
-      const std::size_t v = contact.vertices[c];
-      if (vertices_[v].inverseMass > 0.0) {
-        sets.join(free, static_cast<int>(v));
-        coupledVertices_.push_back(v);
-      }
-    }
+    forEachFreeVertex(contact, [&](std::uint32_t v) { sets.join(free, static_cast<int>(v)); });
   }
   // An island is named by its lowest vertex.
-  const auto ofVertex = [&](std::size_t v) { return sets.root(static_cast<int>(v)); };
-  const auto ofContact = [&](const Contact& contact) { return ofVertex(freeVertexOf(contact)); };
-  std::ranges::sort(coupledVertices_);
-  coupledVertices_.erase(std::unique(coupledVertices_.begin(), coupledVertices_.end()), coupledVertices_.end());
-  std::ranges::stable_sort(coupledVertices_, {}, ofVertex);
-  std::ranges::stable_sort(coupled_, {}, ofContact);
-  for (auto first = coupled_.begin(); first != coupled_.end();) {
-    const int island = ofContact(*first);
-    const auto last = std::ranges::upper_bound(first, coupled_.end(), island, {}, ofContact);
-    const auto firstVertex = std::ranges::lower_bound(coupledVertices_, island, {}, ofVertex);
-    const auto lastVertex = std::ranges::upper_bound(coupledVertices_, island, {}, ofVertex);
-    const bool hasFeaturePairs = std::any_of(first, last, [](const Contact& each) { return each.isFeaturePair; });
-    islands_.push_back({{first, last}, {firstVertex, lastVertex}, hasFeaturePairs});
+  std::vector<InIsland> contacts;
+  std::vector<InIsland> vertices;
+  for (std::uint32_t i = 0; i < coupled_.size(); ++i) {
+    const int island = sets.root(static_cast<int>(freeVertexOf(coupled_[i])));
+    contacts.push_back({island, i});
+    forEachFreeVertex(coupled_[i], [&](std::uint32_t v) { vertices.push_back({island, v}); });
+  }
+  std::ranges::sort(contacts);
+  std::ranges::sort(vertices);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  sorted_.clear();
+  std::ranges::transform(contacts, std::back_inserter(sorted_), [&](const InIsland& i) { return coupled_[i.item]; });
+  coupled_.swap(sorted_);
+  std::ranges::transform(vertices, std::back_inserter(coupledVertices_), &InIsland::item);
+  listIslands(contacts, vertices);
+}
+
+/// @param contacts and vertices in the order of coupled_ and coupledVertices_
+template <typename T>
+void ContactImpulses<T>::listIslands(std::span<const InIsland> contacts, std::span<const InIsland> vertices) {
+  auto vertex = vertices.begin();
+  for (auto first = contacts.begin(); first != contacts.end();) {
+    const auto differs = [&](const InIsland& each) { return each.island != first->island; };
+    const auto last = std::find_if(first, contacts.end(), differs);
+    const auto lastVertex = std::find_if(vertex, vertices.end(), differs);
+    const std::span own(coupled_.begin() + (first - contacts.begin()), coupled_.begin() + (last - contacts.begin()));
+    islands_.push_back({own,
+                        {coupledVertices_.begin() + (vertex - vertices.begin()),
+                         coupledVertices_.begin() + (lastVertex - vertices.begin())},
+                        std::ranges::any_of(own, &Contact::isFeaturePair)});
     first = last;
+    vertex = lastVertex;
   }
 }
 
@@ -152,11 +165,11 @@ std::span<typename ContactImpulses<T>::Vertex> ContactImpulses<T>::verticesOf(co
 }
 
 template <typename T>
-std::span<const typename ContactImpulses<T>::Island> ContactImpulses<T>::islandsOf(const simd::StepShare& share) const {
+typename ContactImpulses<T>::IslandRange ContactImpulses<T>::islandsOf(const simd::StepShare& share) const {
   const auto firstVertex = [&](const Island& island) { return vertices_[island.vertices.front()].index; };
   const auto first = std::ranges::lower_bound(islands_, share.begin * simd::sliceLanes, {}, firstVertex);
   const auto last = std::ranges::lower_bound(islands_, share.end * simd::sliceLanes, {}, firstVertex);
-  return {first, last};
+  return {static_cast<std::size_t>(first - islands_.begin()), static_cast<std::size_t>(last - islands_.begin())};
 }
 
 template <typename T>
@@ -173,6 +186,8 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
   for (Vertex& vertex : own) {
     vertex.velocity = vertex.afterKick = simd::laneVector(cloth.velocity, vertex.index);
   }
+  const auto [firstIsland, lastIsland] = islandsOf(share);
+  std::fill(taken_.begin() + firstIsland, taken_.begin() + lastIsland, static_cast<unsigned char>(0));
   const auto begin = static_cast<std::size_t>(own.data() - vertices_.data());
   const auto vertexOf = [](const Contact& contact) { return contact.vertices[0]; };
   const auto first = std::ranges::lower_bound(single_, begin, {}, vertexOf);
@@ -192,14 +207,36 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
 template <typename T>
 void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift,
                                       const simd::StepShare& share) {
-  for (const Island& island : islandsOf(share)) {
-    for (Contact& contact : island.contacts) {
-      contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
+  const auto [first, last] = islandsOf(share);
+  for (std::size_t i = first; i < last; ++i) {
+    if (take(i)) {
+      applyIsland(islands_[i], time, drift, cloth);
     }
-    solveIsland(island);
-    for (const std::size_t v : island.vertices) {
-      write(vertices_[v], drift, cloth);
+  }
+  // Those of other threads, backwards, since they take them forwards.
+  for (std::size_t i = islands_.size(); i > 0; --i) {
+    if (take(i - 1)) {
+      applyIsland(islands_[i - 1], time, drift, cloth);
     }
+  }
+}
+
+/// @return false if another thread has taken the island
+template <typename T>
+bool ContactImpulses<T>::take(std::size_t island) {
+  const std::atomic_ref taken(taken_[island]);
+  // Barriers order the data of the islands.
+  return taken.load(std::memory_order_relaxed) == 0 && taken.exchange(1, std::memory_order_relaxed) == 0;
+}
+
+template <typename T>
+void ContactImpulses<T>::applyIsland(const Island& island, double time, double drift, simd::SlicedCloth<T>& cloth) {
+  for (Contact& contact : island.contacts) {
+    contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
+  }
+  solveIsland(island);
+  for (const std::size_t v : island.vertices) {
+    write(vertices_[v], drift, cloth);
   }
 }
 

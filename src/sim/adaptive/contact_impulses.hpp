@@ -5,6 +5,8 @@
 #include "sim/simd/step_share.hpp"
 
 #include <array>
+#include <compare>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -36,7 +38,8 @@ class ContactImpulses {
   /// The three stages after a kick and a drift. All threads wait for each other before each of them.
   /// @param time from the start of the step to the end of the drift [s]  @param drift time of the drift [s]
   void applySingle(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
-  /// An island belongs to the thread of its first vertex.
+  /// An island belongs to the thread of its first vertex. A thread that has solved its own takes those that others have
+  /// not begun. Which thread solves an island does not change the result.
   void applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
   void addWork(const simd::StepShare& share);
 
@@ -58,39 +61,63 @@ class ContactImpulses {
     Vec3 velocity = Vec3::Zero();   // with the impulses so far [m/s]
     double work = 0.0;              // so far [J]
   };
-  struct Contact {
-    std::size_t count = 0;                  // of its vertices
-    std::array<std::size_t, 4> vertices{};  // indices into vertices_
-    std::array<double, 4> weights{};        // [-]
-    std::size_t source = 0;                 // index into the contacts of the inputs
-    bool isFeaturePair = false;             // of the cloth with itself
+  /// The sweeps read the members up to `minSpeed` of every contact, which are two cache lines.
+  struct alignas(64) Contact {
     Vec3 normal = Vec3::UnitY();
-    double height = 0.0;               // at the start of the step [m]
-    double restGap = 0.0;              // [m]
-    double staticFriction = 0.0;       // [-]
-    double kineticFriction = 0.0;      // [-]
-    Vec3 bodyVelocity = Vec3::Zero();  // in the solver's frame [m/s]
-    double normalSpeed = 0.0;          // of the body [m/s]
-    double inverseMass = 0.0;          // of the point [1/kg]
-    double minSpeed = 0.0;             // lower bound of the normal velocity in the substep [m/s]
-    double normalImpulse = 0.0;        // of the substep [N s]
-    Vec3 friction = Vec3::Zero();      // of the substep [N s]
-    Vec3 impulse = Vec3::Zero();       // so far [N s]
+    Vec3 bodyVelocity = Vec3::Zero();         // in the solver's frame [m/s]
+    std::array<double, 4> weights{};          // [-]
+    std::array<std::uint32_t, 4> vertices{};  // indices into vertices_
+    std::uint32_t count = 0;                  // of its vertices
+    bool isFeaturePair = false;               // of the cloth with itself
+    double inverseMass = 0.0;                 // of the point [1/kg]
+    double normalImpulse = 0.0;               // of the substep [N s]
+    double minSpeed = 0.0;                    // lower bound of the normal velocity in the substep [m/s]
+    Vec3 friction = Vec3::Zero();             // of the substep [N s]
+    double staticFriction = 0.0;              // [-]
+    double kineticFriction = 0.0;             // [-]
+    Vec3 impulse = Vec3::Zero();              // so far [N s]
+    double height = 0.0;                      // at the start of the step [m]
+    double restGap = 0.0;                     // [m]
+    double normalSpeed = 0.0;                 // of the body [m/s]
+    std::size_t source = 0;                   // index into the contacts of the inputs
   };
 
   /// Contacts that share free vertices, and these vertices. It refers to coupled_ and coupledVertices_.
   struct Island {
     std::span<Contact> contacts;
-    std::span<const std::size_t> vertices;
+    std::span<const std::uint32_t> vertices;
     bool hasFeaturePairs = false;
+  };
+
+  /// A contact or a vertex of an island. Sorted by island.
+  struct InIsland {
+    int island = 0;
+    std::uint32_t item = 0;
+    auto operator<=>(const InIsland&) const = default;
+  };
+
+  /// Islands from `first` to before `last`.
+  struct IslandRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
   };
 
   void addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
                   const simd::SlicedCloth<T>& cloth);
   void separateCoupled();
   [[nodiscard]] std::size_t freeVertexOf(const Contact& contact) const;
+  template <typename Visit>
+  void forEachFreeVertex(const Contact& contact, Visit&& visit) const {
+    for (std::size_t c = 0; c < contact.count; ++c) {
+      if (vertices_[contact.vertices[c]].inverseMass > 0.0) {
+        visit(contact.vertices[c]);
+      }
+    }
+  }
   void findIslands();
+  void listIslands(std::span<const InIsland> contacts, std::span<const InIsland> vertices);
   [[nodiscard]] bool isSlow(const Island& island) const;
+  void applyIsland(const Island& island, double time, double drift, simd::SlicedCloth<T>& cloth);
   void solveIsland(const Island& island);
   [[nodiscard]] double minSpeedOf(const simd::SlicedCloth<T>& cloth, double time, double drift,
                                   const Contact& contact) const;
@@ -98,15 +125,18 @@ class ContactImpulses {
   void apply(const Vec3& impulse, const Contact& contact);
   static void write(const Vertex& vertex, double drift, simd::SlicedCloth<T>& cloth);
   [[nodiscard]] std::span<Vertex> verticesOf(const simd::StepShare& share);
-  [[nodiscard]] std::span<const Island> islandsOf(const simd::StepShare& share) const;
+  [[nodiscard]] IslandRange islandsOf(const simd::StepShare& share) const;
+  bool take(std::size_t island);
 
   std::vector<Vertex> vertices_;  // by permuted index
   std::vector<Contact> single_;   // of one vertex that has no other contact, by permuted index of the vertex
   std::vector<Contact> coupled_;  // by island
-  std::vector<std::size_t> coupledVertices_;  // indices into vertices_, by island
-  std::vector<Island> islands_;               // by first vertex
-  std::vector<int> contactCount_;             // of each vertex
-  std::vector<std::size_t> slots_;            // by permuted index: index into vertices_
+  std::vector<Contact> sorted_;   // scratch
+  std::vector<std::uint32_t> coupledVertices_;  // indices into vertices_, by island
+  std::vector<Island> islands_;                 // by first vertex
+  std::vector<unsigned char> taken_;            // of each island: 1 if a thread has begun it in this substep
+  std::vector<int> contactCount_;               // of each vertex
+  std::vector<std::size_t> slots_;              // by permuted index: index into vertices_
 };
 
 }  // namespace drape::sim::adaptive
