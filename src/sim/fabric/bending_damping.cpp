@@ -106,15 +106,14 @@ double highestRateOf(const ClothModel& model, const BendingDamping& damping) {
   return highest;
 }
 
-std::vector<Vec3> vertexNormals(const ClothModel& model, std::span<const Vec3> positions) {
-  std::vector<Vec3> normals(positions.size(), Vec3::Zero());
-  for (const auto& [a, b, c] : model.triangles) {
-    const Vec3 area = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-    normals[a] += area;
-    normals[b] += area;
-    normals[c] += area;
+/// The normal of a vertex, times twice the area of its triangles [m^2].
+Vec3 areaNormal(const ClothModel& model, std::span<const Vec3> positions, int vertex) {
+  Vec3 normal = Vec3::Zero();
+  for (const int t : model.vertexTriangles[vertex]) {
+    const auto& [a, b, c] = model.triangles[t];
+    normal += (positions[b] - positions[a]).cross(positions[c] - positions[a]);
   }
-  return normals;
+  return normal;
 }
 
 }  // namespace
@@ -132,41 +131,35 @@ BendingDamping bendingDampingOf(const ClothModel& model) {
   return damping;
 }
 
-std::vector<Vec3> weightedLaplacian(const ClothModel& model, const BendingDamping& damping,
-                                    std::span<const Vec3> vectors) {
-  std::vector<Vec3> sums(vectors.size(), Vec3::Zero());
-  for (std::size_t s = 0; s < model.springs.size(); ++s) {
-    const auto& spring = model.springs[s];
-    const Vec3 part = damping.weights[s] * (vectors[spring.b] - vectors[spring.a]);
-    sums[spring.a] += part;
-    sums[spring.b] -= part;
+Vec3 weightedLaplacian(const ClothModel& model, const BendingDamping& damping, std::span<const Vec3> vectors,
+                       int vertex) {
+  Vec3 sum = Vec3::Zero();
+  for (const SpringEnd& end : model.springEnds[vertex]) {
+    sum += damping.weights[end.spring] * (vectors[end.neighbour] - vectors[vertex]);
   }
-  return sums;
+  return sum;
 }
 
-std::vector<Vec3> bendingDirections(const ClothModel& model, const BendingDamping& damping,
-                                    std::span<const Vec3> positions) {
-  const TriangleMaterials& materials = model.fabric->materials;
-  const std::vector<Vec3> curvatures = weightedLaplacian(model, damping, positions);
-  std::vector<Vec3> directions = vertexNormals(model, positions);
-  for (std::size_t v = 0; v < directions.size(); ++v) {
-    Vec3& direction = directions[v];
-    if (damping.inverseAreas[v] == 0.0 || !(direction.squaredNorm() > 0.0)) {
-      direction.setZero();
-      continue;
-    }
-    direction.normalize();
-    const Material& material = materials[model.vertexTriangles[v].front()];
-    const double unit =
-        relativeDamping(materials, material) * std::sqrt(std::max(material.bendWarp, material.bendWeft));
-    if (!(unit > 0.0)) {
-      continue;
-    }
-    const Vec3 curvature = flatRadius * damping.inverseAreas[v] / unit * curvatures[v];
-    direction += curvature.dot(direction) < 0.0 ? Vec3(-curvature) : curvature;
-    direction.normalize();
+Vec3 bendingDirection(const ClothModel& model, const BendingDamping& damping, std::span<const Vec3> positions,
+                      int vertex) {
+  if (damping.inverseAreas[vertex] == 0.0) {
+    return Vec3::Zero();
   }
-  return directions;
+  Vec3 direction = areaNormal(model, positions, vertex);
+  if (!(direction.squaredNorm() > 0.0)) {
+    return Vec3::Zero();
+  }
+  direction.normalize();
+  const TriangleMaterials& materials = model.fabric->materials;
+  const Material& material = materials[model.vertexTriangles[vertex].front()];
+  const double unit = relativeDamping(materials, material) * std::sqrt(std::max(material.bendWarp, material.bendWeft));
+  if (!(unit > 0.0)) {
+    return direction;
+  }
+  const Vec3 curvature =
+      flatRadius * damping.inverseAreas[vertex] / unit * weightedLaplacian(model, damping, positions, vertex);
+  direction += curvature.dot(direction) < 0.0 ? Vec3(-curvature) : curvature;
+  return direction.normalized();
 }
 
 }  // namespace drape::sim::fabric

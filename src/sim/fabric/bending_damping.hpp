@@ -31,12 +31,12 @@ struct BendingDamping {
 /// @param model must have a fabric
 [[nodiscard]] BendingDamping bendingDampingOf(const ClothModel& model);
 
-/// d_i of each vertex; zero where 1 / a_i is.
-[[nodiscard]] std::vector<Vec3> bendingDirections(const ClothModel& model, const BendingDamping& damping,
-                                                  std::span<const Vec3> positions);
+/// d_i of a vertex; zero where 1 / a_i is.
+[[nodiscard]] Vec3 bendingDirection(const ClothModel& model, const BendingDamping& damping,
+                                    std::span<const Vec3> positions, int vertex);
 
-/// Delta applied to vectors, one a vertex [sqrt(N m) times their unit]. It is symmetric.
-[[nodiscard]] std::vector<Vec3> weightedLaplacian(const ClothModel& model, const BendingDamping& damping,
-                                                  std::span<const Vec3> vectors);
+/// The element of a vertex of Delta applied to vectors, one a vertex [sqrt(N m) times their unit]. Delta is symmetric.
+[[nodiscard]] Vec3 weightedLaplacian(const ClothModel& model, const BendingDamping& damping,
+                                     std::span<const Vec3> vectors, int vertex);
 
 }  // namespace drape::sim::fabric

@@ -110,10 +110,14 @@ SlicedBendingDamping<T> slicedBending(const ClothModel& model, const fabric::Ben
   return bending;
 }
 
+/// Sets the directions of the slices of one thread.
 template <typename T>
-void setDirections(const SliceLayout& layout, std::span<const Vec3> directions, LaneVectors<T>& lanes) {
-  for (int index = 0; index < layout.vertices; ++index) {
-    const Eigen::Matrix<T, 3, 1> own = directions[layout.order[index]].template cast<T>();
+void setDirections(const ClothModel& model, const fabric::BendingDamping& damping, std::span<const Vec3> positions,
+                   const SliceLayout& layout, const StepShare& share, LaneVectors<T>& lanes) {
+  const int end = std::min(share.end * sliceLanes, layout.vertices);
+  for (int index = share.begin * sliceLanes; index < end; ++index) {
+    const Eigen::Matrix<T, 3, 1> own =
+        fabric::bendingDirection(model, damping, positions, layout.order[index]).template cast<T>();
     lanes.set(static_cast<std::size_t>(index), own.x(), own.y(), own.z());
   }
 }
@@ -130,7 +134,7 @@ FabricDamper::Constants FabricDamper::constantsOf(const ClothModel& model) {
 
 template <typename T>
 std::vector<DampingRun<T>> FabricDamper::runsOf(const ClothModel& model, const Constants& constants, double timeStep,
-                                                const ClothState& state, Sliced<T>& sliced) {
+                                                Sliced<T>& sliced) {
   const fabric::TriangleMaterials& materials = model.fabric->materials;
   std::vector<DampingRun<T>> runs;
   if (const double time = materials.maxStretchDamping(); time > 0.0) {
@@ -140,8 +144,6 @@ std::vector<DampingRun<T>> FabricDamper::runsOf(const ClothModel& model, const C
     const SlicedCloth<T>& cloth = sliced.cloths.get(model);
     SlicedBendingDamping<T>& bending =
         sliced.bending.get(model, [&](const ClothModel& own) { return slicedBending(own, *constants.bending, cloth); });
-    setDirections(cloth.layout, fabric::bendingDirections(model, *constants.bending, state.positions),
-                  bending.directions);
     runs.push_back(runOf<T>(DampedPart::Bending, timeStep, materials.maxBendDamping(), constants.bending->highestRate));
     runs.back().bending = &bending;
   }
@@ -178,7 +180,7 @@ void FabricDamper::run(const ClothModel& model, const CommonParameters& paramete
                        std::span<const PinVelocity> pins, Sliced<T>& sliced, ClothState& state) {
   const Constants& constants = constants_.get(model, constantsOf);
   SlicedCloth<T>& cloth = sliced.cloths.get(model);
-  std::vector<DampingRun<T>> runs = runsOf(model, constants, parameters.timeStep, state, sliced);
+  std::vector<DampingRun<T>> runs = runsOf(model, constants, parameters.timeStep, sliced);
   for (DampingRun<T>& run : runs) {
     run.stages *= refinement;
   }
@@ -187,6 +189,11 @@ void FabricDamper::run(const ClothModel& model, const CommonParameters& paramete
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);
     cloth.load(state, share);
+    for (const DampingRun<T>& run : runs) {
+      if (run.bending != nullptr) {
+        setDirections(model, *constants.bending, state.positions, cloth.layout, share, run.bending->directions);
+      }
+    }
     for (const auto& [vertex, velocity] : pins) {
       const int index = cloth.layout.indexOf[vertex];
       if (share.contains(index)) {

@@ -58,7 +58,7 @@ class FabricDamper {
   [[nodiscard]] static Constants constantsOf(const ClothModel& model);
   template <typename T>
   [[nodiscard]] std::vector<DampingRun<T>> runsOf(const ClothModel& model, const Constants& constants, double timeStep,
-                                                  const ClothState& state, Sliced<T>& sliced);
+                                                  Sliced<T>& sliced);
   template <typename T>
   void run(const ClothModel& model, const CommonParameters& parameters, int refinement,
            std::span<const PinVelocity> pins, Sliced<T>& sliced, ClothState& state);

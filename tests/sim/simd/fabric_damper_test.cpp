@@ -50,14 +50,14 @@ std::vector<Vec3> dampingForces(const ClothModel& model, const ClothState& state
   }
   if (fabric.bends()) {
     const fabric::BendingDamping damping = fabric::bendingDampingOf(model);
-    const std::vector<Vec3> directions = fabric::bendingDirections(model, damping, state.positions);
-    std::vector<Vec3> rates = fabric::weightedLaplacian(model, damping, state.velocities);
-    for (std::size_t v = 0; v < rates.size(); ++v) {
-      rates[v] = damping.inverseAreas[v] * rates[v].dot(directions[v]) * directions[v];
+    std::vector<Vec3> rates;
+    for (int v = 0; v < model.vertexCount(); ++v) {
+      const Vec3 direction = fabric::bendingDirection(model, damping, state.positions, v);
+      const Vec3 rate = fabric::weightedLaplacian(model, damping, state.velocities, v);
+      rates.push_back(damping.inverseAreas[v] * rate.dot(direction) * direction);
     }
-    const std::vector<Vec3> sums = fabric::weightedLaplacian(model, damping, rates);
-    for (std::size_t v = 0; v < sums.size(); ++v) {
-      forces[v] -= fabric.materials[0].bendDamping * sums[v];
+    for (int v = 0; v < model.vertexCount(); ++v) {
+      forces[v] -= fabric.materials[0].bendDamping * fabric::weightedLaplacian(model, damping, rates, v);
     }
   }
   return forces;

@@ -41,16 +41,21 @@ void ClothFrames::addDeformation(const ContactPass& pass, const NearBody& body) 
   deformations_.resize(displacementBounds_.size(), 0.0);
   const std::vector<Vec3>& start = frames_[body.index].start;
   const ClothClusters& clusters = pass.cloth.clusters;
-  for (std::size_t c = 0; c < clusters.count(); ++c) {
-    Eigen::AlignedBox3d box;
-    for (const int vertex : clusters.vertices(c)) {
-      box.extend((start[vertex].array() - displacementBounds_[vertex]).matrix());
-      box.extend((start[vertex].array() + displacementBounds_[vertex]).matrix());
+  std::vector<double> largest(clusters.count(), 0.0);
+  pass.workers.forUnevenRange(pass.step.parameters.threads, static_cast<int>(largest.size()), [&](int begin, int end) {
+    for (int c = begin; c < end; ++c) {
+      Eigen::AlignedBox3d box;
+      for (const int vertex : clusters.vertices(static_cast<std::size_t>(c))) {
+        box.extend((start[vertex].array() - displacementBounds_[vertex]).matrix());
+        box.extend((start[vertex].array() + displacementBounds_[vertex]).matrix());
+      }
+      body.mesh->tree.forEachLeafIn(
+          box, [&](std::size_t leaf) { largest[c] = std::max(largest[c], body.mesh->moveOf(leaf)); });
     }
-    double maximum = 0.0;
-    body.mesh->tree.forEachLeafIn(box, [&](std::size_t leaf) { maximum = std::max(maximum, body.mesh->moveOf(leaf)); });
+  });
+  for (std::size_t c = 0; c < largest.size(); ++c) {
     for (const int vertex : clusters.vertices(c)) {
-      deformations_[vertex] = std::max(deformations_[vertex], maximum);
+      deformations_[vertex] = std::max(deformations_[vertex], largest[c]);
     }
   }
 }
