@@ -110,15 +110,13 @@ SlicedBendingDamping<T> slicedBending(const ClothModel& model, const fabric::Ben
   return bending;
 }
 
-/// Sets the directions of the slices of one thread.
+/// Sets the directions of the vertices from `begin` to before `end`, by the order of the model, in which its data lie.
 template <typename T>
 void setDirections(const ClothModel& model, const fabric::BendingDamping& damping, std::span<const Vec3> positions,
-                   const SliceLayout& layout, const StepShare& share, LaneVectors<T>& lanes) {
-  const int end = std::min(share.end * sliceLanes, layout.vertices);
-  for (int index = share.begin * sliceLanes; index < end; ++index) {
-    const Eigen::Matrix<T, 3, 1> own =
-        fabric::bendingDirection(model, damping, positions, layout.order[index]).template cast<T>();
-    lanes.set(static_cast<std::size_t>(index), own.x(), own.y(), own.z());
+                   const SliceLayout& layout, int begin, int end, LaneVectors<T>& lanes) {
+  for (int v = begin; v < end; ++v) {
+    const Eigen::Matrix<T, 3, 1> own = fabric::bendingDirection(model, damping, positions, v).template cast<T>();
+    lanes.set(static_cast<std::size_t>(layout.indexOf[v]), own.x(), own.y(), own.z());
   }
 }
 
@@ -191,7 +189,9 @@ void FabricDamper::run(const ClothModel& model, const CommonParameters& paramete
     cloth.load(state, share);
     for (const DampingRun<T>& run : runs) {
       if (run.bending != nullptr) {
-        setDirections(model, *constants.bending, state.positions, cloth.layout, share, run.bending->directions);
+        const int vertices = cloth.layout.vertices;
+        setDirections(model, *constants.bending, state.positions, cloth.layout, vertices * member / threads,
+                      vertices * (member + 1) / threads, run.bending->directions);
       }
     }
     for (const auto& [vertex, velocity] : pins) {
