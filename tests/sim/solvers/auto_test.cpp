@@ -657,6 +657,30 @@ TEST(Auto, keepsTheEnergyOfAViolentStart) {
   }
 }
 
+/// No number of explicit substeps within the limits is stable for a fabric that is stretched a thousand times.
+TEST(Auto, takesAHopelessStartOfAFabricByTheFallbackSolverWithoutGainingEnergyOrMomentum) {
+  const auto springs = buildClothModel(testing::sheet(9), 0.1, MassLumping::Area, {});
+  const auto model = testing::asFabric(*springs, testing::woven());
+  StepParameters parameters;
+  parameters.timeStep = frame;
+  parameters.gravity = 0.0;
+  ClothState state = stateAtRest(model->restPositions);
+  testing::RandomVectors random(5);
+  for (Vec3& position : state.positions) {
+    position = random.next(100.0);
+  }
+  const double start = energyOf(*model, parameters, state).total();
+  const double speed = std::sqrt(2.0 * start / model->totalMass());
+  Stepper stepper("auto");
+  int withFallback = 0;
+  for (int step = 0; step < 3; ++step) {
+    withFallback += stepper.step(*model, parameters, {}, state).choice->usedFallback ? 1 : 0;
+    EXPECT_LE(energyOf(*model, parameters, state).total(), 1.01 * start) << "step " << step;
+    EXPECT_LT(linearMomentum(*model, state).norm(), 1e-6 * model->totalMass() * speed) << "step " << step;
+  }
+  EXPECT_GT(withFallback, 0) << "this start is not hopeless enough";
+}
+
 /// Cloth with a budget so small that its springs keep 0.2 % of their stiffness.
 StepParameters soft() {
   StepParameters parameters = stiff(1e5);
