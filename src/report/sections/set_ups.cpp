@@ -50,10 +50,10 @@ std::vector<SetUp> ownSetUps() {
     return twisted({rest.x(), -rest.z(), 0.0}, length);
   };
   SetUp tshirt{"tshirt",
-               "a T-shirt of 2,014 vertices whose sleeves and body fall from its shoulders, without air (the cloth of "
-               "the scene mannequin)",
+               "a T-shirt of 2,014 vertices whose sleeves and body fall from its shoulders, without air and contact (the "
+               "cloth of the scene mannequin)",
                "mannequin",
-               {"drag=0", "lift=0", "damping=0"}};
+               {"drag=0", "lift=0", "damping=0", "self_collision=off"}};
   tshirt.top = scene::topOfBareMesh;
   return {hang, flag, crush, twist, tshirt};
 }

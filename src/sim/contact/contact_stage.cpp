@@ -28,6 +28,30 @@ bool hasBoundedPositions(const std::vector<Vec3>& positions) {
                      [=](const Vec3& position) { return (position.array().abs() <= maxCoordinate).all(); });
 }
 
+/// Whether free vertices move so far relative to each other that only a solver that diverges can be the cause. The search
+/// for pairs would then find nearly all pairs of the cloth. Without contact the solver soon ends in numbers that are not
+/// finite, which is reported.
+bool diverges(const ClothModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& end, double timeStep) {
+  constexpr double largePart = 0.2;  // of the diagonal of the cloth [-]
+  constexpr double maxSpeed = 30.0;  // of a small cloth [m/s]
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    if (!model.pinned[v]) {
+      sum += end[v] - start[v];
+      ++count;
+    }
+  }
+  const Vec3 mean = sum / std::max(1, count);
+  const double allowed = std::max(largePart * boundsOf(start).diagonal().norm(), maxSpeed * timeStep);
+  for (std::size_t v = 0; v < start.size(); ++v) {
+    if (!model.pinned[v] && (end[v] - start[v] - mean).squaredNorm() > allowed * allowed) {
+      return true;
+    }
+  }
+  return false;
+}
+
 double secondsSince(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -203,6 +227,9 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
   // Only exact self-collision prevents intersections, and sets this again.
   const bool hadNoIntersection = std::exchange(state.hasNoSelfIntersection, false);
   if (!active_ || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
+    return report;
+  }
+  if (contact.self == SelfCollision::Exact && diverges(model, start_, state.positions, parameters.timeStep)) {
     return report;
   }
   // Far from all bodies, contact costs no more than two bounding boxes.

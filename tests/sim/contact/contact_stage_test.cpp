@@ -48,5 +48,26 @@ TEST(ContactStage, returnsForAClothThatDiverges) {
   }
 }
 
+/// The end of a step of a solver that has diverged, with the cloth in pieces of its own size.
+TEST(ContactStage, leavesClothToASolverThatDivergesInsteadOfGuardingAllPairs) {
+  const auto model = buildClothModel(testing::sheet(9), 0.1, MassLumping::Area, {0, 8});
+  for (const auto& [speed, guards] : {std::pair{40.0, true}, std::pair{400.0, false}}) {
+    StepParameters parameters;
+    parameters.timeStep = 1.0 / 300.0;
+    parameters.contact.self = SelfCollision::Exact;
+    ClothState state = stateAtRest(model->restPositions);
+    ContactStage stage;
+    stage.begin(parameters.contact, {}, state);
+    testing::RandomVectors random(2);
+    for (int v = 0; v < model->vertexCount(); ++v) {
+      state.positions[v] += model->pinned[v] ? Vec3(Vec3::Zero()) : random.next(speed * parameters.timeStep);
+    }
+    const std::vector<Vec3> moved = state.positions;
+    stage.resolve(*model, parameters, parameters.contact, {}, state);
+    EXPECT_EQ(state.positions != moved, guards) << speed << " m/s";
+    EXPECT_EQ(state.hasNoSelfIntersection, guards) << speed << " m/s";
+  }
+}
+
 }  // namespace
 }  // namespace drape::sim::contact
