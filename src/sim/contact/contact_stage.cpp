@@ -8,6 +8,7 @@
 #include "sim/contact/self/self_contact.hpp"
 #include "sim/contact/solve/body_contact.hpp"
 #include "sim/contact/solve/remove_approach.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
@@ -28,9 +29,9 @@ bool hasBoundedPositions(const std::vector<Vec3>& positions) {
                      [=](const Vec3& position) { return (position.array().abs() <= maxCoordinate).all(); });
 }
 
-/// Whether free vertices move so far relative to each other that only a solver that diverges can be the cause. The search
-/// for pairs would then find nearly all pairs of the cloth. Without contact the solver soon ends in numbers that are not
-/// finite, which is reported.
+/// Whether free vertices move so far relative to each other that only a solver that diverges can be the cause. The
+/// search for pairs would then find nearly all pairs of the cloth. Without contact the solver soon ends in numbers that
+/// are not finite, which is reported.
 bool diverges(const ClothModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& end, double timeStep) {
   constexpr double largePart = 0.2;  // of the diagonal of the cloth [-]
   constexpr double maxSpeed = 30.0;  // of a small cloth [m/s]
@@ -265,8 +266,13 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
   }
   if (contact.self == SelfCollision::Exact) {
     const auto begin = std::chrono::steady_clock::now();
+    beforeGuard_.positions = state.positions;
+    beforeGuard_.velocities = state.velocities;
     guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact},
                        nearBodies ? inputs.bodies : nullptr, state, report);
+    if (state.positions != beforeGuard_.positions) {
+      report.guardWork = energyOf(model, parameters, state).total() - energyOf(model, parameters, beforeGuard_).total();
+    }
     report.selfSeconds += secondsSince(begin);
   }
   // Contact of the cloth with itself alone conserves momentum.

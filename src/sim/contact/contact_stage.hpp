@@ -97,6 +97,7 @@ class ContactStage {
   std::vector<Vec3> start_;              // positions at the start of the step [m]
   std::unique_ptr<BodyContact> bodies_;  // created at first use
   ClothState unresolved_;
+  ClothState beforeGuard_;
   std::vector<Vec3> ahead_;  // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
   ContactReport report_;                     // of the last `resolve`

@@ -1,11 +1,13 @@
 #include "sim/stepping/stepper.hpp"
 
+#include "sim/adaptive/energy_guard.hpp"
 #include "sim/contact/bodies/body.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "sim/fabric/weld.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/local_rates.hpp"
 #include "sim/forces/stability.hpp"
+#include "sim/model/pieces.hpp"
 #include "sim/model/sim_error.hpp"
 #include "sim/motion/moving_frame.hpp"
 #include "sim/stepping/self_collision.hpp"
@@ -324,6 +326,8 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   total.contact = total.choice && total.choice->sleeping
                       ? contact_.keepLast()
                       : contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
+  // Moving features apart stretches the cloth. Without this the cloth would gain energy from contact with itself.
+  adaptive::removeInnerMotion(model, pieces_.get(model, freePieces), total.contact.guardWork, state);
   const ClothState* unresolved = repeatsInShorterParts(*info_, parameters) ? contact_.unresolved() : nullptr;
   if (unresolved != nullptr) {
     largestCorrection_ = std::max(largestCorrection_, largestDistance(unresolved->positions, state.positions));

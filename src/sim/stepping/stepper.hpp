@@ -145,7 +145,8 @@ class Stepper {
   const SolverInfo* info_;
   std::unique_ptr<Solver> solver_;
   ClothState before_;
-  ModelCache<double> meanEdge_;  // [m]
+  ModelCache<double> meanEdge_;                               // [m]
+  ModelCache<std::vector<std::vector<std::size_t>>> pieces_;  // the free ones
   MomentumKeeper momentum_;
   contact::ContactStage contact_;
   contact::BodySubsteps bodySubsteps_;
