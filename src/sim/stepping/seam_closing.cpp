@@ -9,6 +9,12 @@ constexpr double decayTime = 0.05;  // of the distance at the end, or after some
 constexpr double maxSpeed = 4.0;    // at which a pair closes [m/s]
 constexpr int sweeps = 4;           // over pairs, which can have common vertices
 
+/// Pairs that are closer follow their way exactly in the substeps, across their line too. Otherwise the cloth moves them
+/// past each other, and the correction at the end of the part stretches it. Only their angular momentum changes, by
+/// little, since they are close.
+constexpr double closeDistance = 0.01;  // [m]
+constexpr double sticking = 1e6;        // coefficient of friction [-]
+
 double inverseMassOf(const ClothModel& model, int vertex) {
   return model.pinned[vertex] ? 0.0 : 1.0 / model.vertexMass[vertex];
 }
@@ -56,6 +62,13 @@ void SeamClosing::appendContacts(std::vector<SubstepContact>& contacts) const {
     contact.normal = -pair.direction;
     contact.height = -pair.distance;
     contact.bodyVelocity = speed * contact.normal;
+    if (pair.distance < closeDistance) {
+      contact.staticFriction = contact.kineticFriction = sticking;
+      SubstepContact opposite = contact;
+      opposite.normal = -contact.normal;
+      opposite.height = -contact.height;
+      contacts.push_back(opposite);
+    }
     contacts.push_back(contact);
   }
 }
