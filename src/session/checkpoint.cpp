@@ -1,6 +1,7 @@
 #include "session/checkpoint.hpp"
 
 #include "messages/error.hpp"
+#include "session/scene_fingerprints.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/checkpoint/state_bytes.hpp"
 #include "sim/model/fingerprint.hpp"
@@ -9,13 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <optional>
 
 namespace drape::session {
 namespace {
 
 constexpr std::string_view fileMark = "DRAPECKP";
-constexpr std::uint32_t version = 6;
+constexpr std::uint32_t version = 7;
 constexpr std::uint32_t byteOrder = 0x01020304;
 
 constexpr std::string_view saveAgain = " Save it again, or start without it.";
@@ -142,6 +144,27 @@ std::vector<std::string> differences(std::string_view kept, const settings::Sett
   return notes;
 }
 
+/// The fingerprints of the parts that a state does not depend on, but the further motion does.
+std::string partsText(const scene::Scene& scene) {
+  std::string text;
+  for (const PartFingerprint& print : fingerprintsOf(scene)) {
+    append(text, print.value);
+  }
+  return text;
+}
+
+/// One sentence for each part that differs.
+std::vector<std::string> changedParts(std::string_view kept, const scene::Scene& scene) {
+  std::vector<std::string> notes;
+  Fields fields(kept);
+  for (const PartFingerprint& print : fingerprintsOf(scene)) {
+    if (fields.number() != print.value) {
+      notes.push_back(fmt::format("{} of the scene changed since the checkpoint was saved", print.part));
+    }
+  }
+  return notes;
+}
+
 /// The payload of a checkpoint after all checks of its form.
 std::string_view payloadOf(std::string_view bytes) {
   if (!bytes.starts_with(fileMark)) {
@@ -176,6 +199,7 @@ std::string checkpointOf(const Simulation& simulation) {
   append(payload, static_cast<std::uint64_t>(simulation.stepIndex()));
   appendText(payload, simulation.scene().description.name);
   appendText(payload, settingsText(simulation.settings()));
+  appendText(payload, partsText(simulation.scene()));
   appendText(payload, sim::bytesOf(simulation.state()));
   std::string bytes(fileMark);
   append(bytes, byteOrder);
@@ -191,16 +215,20 @@ std::vector<std::string> continueFrom(std::string_view checkpoint, Simulation& s
   const auto step = static_cast<std::int64_t>(fields.number());
   const std::string name(fields.text());
   const std::string_view kept = fields.text();
+  const std::string_view keptParts = fields.text();
   std::optional<sim::ClothState> state = sim::stateFromBytes(fields.text());
   if (fingerprint != fingerprintOf(simulation)) {
     throw messages::InputError(
-        "the checkpoint belongs to another mesh, start, pins or seams than this scene (it was saved from '" + name +
-        "'). Give the same scene, --set and --jitter as then.");
+        "the checkpoint belongs to another mesh, start, pins, seams or number of bodies than this scene (it was saved "
+        "from "
+        "'" +
+        name + "'). Give the same scene, --set and --jitter as then.");
   }
   if (!state || state->positions.size() != simulation.state().positions.size()) {
     failDamaged();
   }
   std::vector<std::string> notes = differences(kept, simulation.settings());
+  std::ranges::move(changedParts(keptParts, simulation.scene()), std::back_inserter(notes));
   simulation.continueFrom(std::move(*state), step);
   return notes;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <cstdlib>
+#include <fstream>
 
 namespace drape::app::testing {
 namespace {
@@ -44,6 +45,31 @@ TEST(Bake, doesNotContinueWithOtherSettings) {
   const Outcome outcome = headless(bake + " --set drag=3");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_NE(outcome.errors.find("drag is 3, and was 0"), std::string::npos) << outcome.errors;
+  EXPECT_NE(outcome.errors.find("remove the folder"), std::string::npos) << outcome.errors;
+  const Outcome finer = headless(bake + " --set grid.resolution=9");
+  EXPECT_EQ(finer.status, 1);
+  EXPECT_NE(finer.errors.find("another mesh"), std::string::npos) << finer.errors;
+  EXPECT_NE(finer.errors.find("remove the folder"), std::string::npos) << finer.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.csv.bake/checkpoint")) << "the bake can continue";
+}
+
+TEST(Bake, doesNotContinueWithAnotherBody) {
+  const auto folder = testFolder();
+  const auto write = [&folder](const char* radius) {
+    std::ofstream(folder / "ball.toml") << "[cloth]\ngrid = \"horizontal\"\nposition = [0, 1, 0]\n"
+                                        << "[[bodies]]\nshape = \"sphere\"\nposition = [0, 0.5, 0]\nradius = " << radius
+                                        << "\n";
+  };
+  write("0.15");
+  const std::string bake = "bake " + (folder / "ball.toml").string() +
+                           " --frames 100000 --checkpoint-every 0 --export " + (folder / "a.csv").string();
+  const std::string interrupted =
+      "timeout --foreground --signal=INT 1 " + std::string(DRAPE_HEADLESS) + " " + bake + " >/dev/null 2>&1";
+  EXPECT_NE(std::system(interrupted.c_str()), 0);
+  write("0.16");
+  const Outcome outcome = headless(bake);
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.errors.find("the bodies of the scene changed"), std::string::npos) << outcome.errors;
   EXPECT_NE(outcome.errors.find("remove the folder"), std::string::npos) << outcome.errors;
   EXPECT_TRUE(std::filesystem::exists(folder / "a.csv.bake/checkpoint")) << "the bake can continue";
 }

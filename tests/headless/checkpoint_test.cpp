@@ -44,6 +44,25 @@ TEST(Checkpoint, continuesTheFramesOfAnExport) {
   EXPECT_EQ(readFile(folder / "second.csv_12.obj"), readFile(folder / "whole.csv_12.obj"));
 }
 
+TEST(Checkpoint, namesAnotherBody) {
+  const auto folder = testFolder();
+  const std::string scene = (folder / "ball.toml").string();
+  const auto write = [&scene](const char* radius) {
+    std::ofstream(scene) << "[cloth]\ngrid = \"horizontal\"\nposition = [0, 1, 0]\n"
+                         << "[[bodies]]\nshape = \"sphere\"\nposition = [0, 0.5, 0]\nradius = " << radius << "\n";
+  };
+  write("0.15");
+  const std::string file = (folder / "c").string();
+  ASSERT_EQ(headless("run " + scene + " --seconds 0.1 --save " + file).status, 0);
+  const std::string resume = "run " + scene + " --seconds 0.2 --resume " + file;
+  const std::string note = "note: the bodies of the scene changed since the checkpoint was saved";
+  EXPECT_EQ(headless(resume).errors.find(note), std::string::npos);
+  write("0.16");
+  const Outcome changed = headless(resume);
+  EXPECT_EQ(changed.status, 0);
+  EXPECT_NE(changed.errors.find(note), std::string::npos) << changed.errors;
+}
+
 TEST(Checkpoint, saysWhatIsWrongWithAFile) {
   const auto folder = testFolder();
   const std::string file = (folder / "c").string();

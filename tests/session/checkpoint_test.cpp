@@ -120,6 +120,51 @@ TEST(CheckpointFile, namesTheSettingsThatHaveChanged) {
   EXPECT_EQ(notes[0].rfind("gravity is 5, and was ", 0), 0U) << notes[0];
 }
 
+/// A small sheet above a sphere, with a pin and a band.
+std::string sheetText(const std::string& body, const std::string& pins, const std::string& cloth) {
+  return "[[cloths]]\nname = \"sheet\"\ngrid = \"horizontal\"\nposition = [0, 1, 0]\n" + cloth +
+         "[[cloths.pins]]\ncorners = [\"top_left\"]\n" + pins + "[[bodies]]\n" + body +
+         "[settings]\ngrid.resolution = 9\n[ground]\nheight = 0\n";
+}
+
+std::vector<std::string> notesAbout(const std::string& before, const std::string& after) {
+  Simulation simulation(testing::sceneFrom(before));
+  testing::takeSteps(simulation, 2);
+  Simulation changed(testing::sceneFrom(after));
+  return continueFrom(checkpointOf(simulation), changed);
+}
+
+TEST(CheckpointFile, namesThePartsOfTheSceneThatHaveChanged) {
+  const std::string ball = "shape = \"sphere\"\nradius = 0.15\nposition = [0, 0.5, 0]\n";
+  const std::string keys = "keyframes = [{ time = 0 }, { time = 1, position = [0, 0.2, 0] }]\n";
+  const std::string band = "bands = [{ nearest = [0, 0, 0], length = 0.9 }]\n";
+  const std::string whole = sheetText(ball, keys, band);
+  const auto replaced = [&whole](const std::string& old, const std::string& now) {
+    std::string text = whole;
+    return text.replace(text.find(old), old.size(), now);
+  };
+  EXPECT_TRUE(notesAbout(whole, whole).empty());
+  EXPECT_TRUE(notesAbout(whole, "title = \"Another title\"\n" + whole).empty()) << "it does not move the cloth";
+  using Notes = std::vector<std::string>;
+  const Notes bodies{"the bodies of the scene changed since the checkpoint was saved"};
+  EXPECT_EQ(notesAbout(whole, replaced("radius = 0.15", "radius = 0.16")), bodies);
+  EXPECT_EQ(notesAbout(whole, replaced("radius = 0.15", "radius = 0.15\nspin = [0, 10, 0]")), bodies);
+  EXPECT_EQ(notesAbout(whole, replaced("radius = 0.15", "radius = 0.15\nkinetic_friction = 0.1")), bodies);
+  EXPECT_EQ(notesAbout(whole, replaced("time = 1", "time = 2")),
+            Notes{"the motion of the pins of the scene changed since the checkpoint was saved"});
+  EXPECT_EQ(notesAbout(whole, replaced("length = 0.9", "length = 0.8")),
+            Notes{"the seams or elastic bands of the scene changed since the checkpoint was saved"});
+  EXPECT_EQ(notesAbout(whole, replaced("length = 0.9 }]", "length = 0.9 }]\nsettings = { stiffness = 300 }")),
+            Notes{"the cloth of the scene changed since the checkpoint was saved"});
+}
+
+TEST(CheckpointFile, namesAFigureThatMovesInAnotherWay) {
+  const std::string figure = "shape = \"figure\"\nmotion = \"walk\"\n";
+  const std::string slower = figure + "speed = 0.7\n";
+  EXPECT_TRUE(notesAbout(sheetText(figure, "", ""), sheetText(figure, "", "")).empty());
+  EXPECT_EQ(notesAbout(sheetText(figure, "", ""), sheetText(slower, "", "")).size(), 1U);
+}
+
 TEST(CheckpointFile, refusesAGhost) {
   Simulation simulation(built("grid", {{"grid.resolution", "9"}, {"ghost.solver", "pcg"}}));
   EXPECT_THROW((void)checkpointOf(simulation), messages::UsageError);

@@ -70,7 +70,7 @@ class Bake {
         folder_(folderName(), simulation.state().positions.size(), film_.empty() ? "none" : arguments.view.inWords()) {
     requireOwnFiles();
     if (folder_.hasCheckpoint()) {
-      requireNoChange(resumeFrom(folder_.checkpoint(), simulation_));
+      requireNoChange(resumed());
       done_ = simulation_.stepIndex() / stepsPerFrame_ + 1;
       std::cerr << "note: continues after frame " << done_ - 1 << " of " << folderName() << '\n';
     }
@@ -130,11 +130,21 @@ class Bake {
            ".bake";
   }
 
-  /// Throws UsageError if a setting has changed since the frames in the folder, which would come from two motions.
+  /// Continues from the checkpoint in the folder. @return what has changed since
+  [[nodiscard]] std::vector<std::string> resumed() {
+    try {
+      return resumeFrom(folder_.checkpoint(), simulation_);
+    } catch (const messages::InputError& error) {
+      throw messages::InputError(error.what() + (" Or remove the folder " + folderName()) + " to start anew.");
+    }
+  }
+
+  /// Throws UsageError if a setting or the scene has changed since the frames in the folder, which would come from two
+  /// motions.
   void requireNoChange(const std::vector<std::string>& changes) const {
     if (!changes.empty()) {
       throw messages::UsageError(changes.front() +
-                                 "; give the same settings as the unfinished bake, or remove the folder " +
+                                 "; give the same scene and settings as the unfinished bake, or remove the folder " +
                                  folderName() + " to start anew");
     }
   }

@@ -23,7 +23,7 @@ class CheckpointFile {
 };
 
 /// Continues a simulation from a file. Throws InputError with the name of the file.
-/// @return a sentence for each setting that has changed since, if it acts on the motion
+/// @return a sentence for each setting and each part of the scene that has changed since, if it acts on the motion
 [[nodiscard]] std::vector<std::string> resumeFrom(const std::string& file, session::Simulation& simulation);
 
 }  // namespace drape::app
