@@ -208,8 +208,9 @@ TEST_F(Animation, glbHasTheMeshAndItsFramesAsMorphTargets) {
     if (frames > 1) {
       const auto& accessor = json["accessors"][primitive["targets"].back()["POSITION"].get<int>()];
       const auto offset = json["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>();
-      // The last vertex of the mesh is the second corner of the triangle: the sixth vertex after the split.
-      EXPECT_EQ(at<float>(bytes, binary + offset + 5 * 12 + 8), static_cast<float>(0.125 * (frames - 1) * 4.0));
+      // The last vertex of the mesh; copies of two others follow it.
+      EXPECT_EQ(accessor["count"], 7);
+      EXPECT_EQ(at<float>(bytes, binary + offset + 4 * 12 + 8), static_cast<float>(0.125 * (frames - 1) * 4.0));
       EXPECT_EQ(accessor["max"][2].get<float>(), static_cast<float>(0.125 * (frames - 1) * 4.0));
       const auto& sampler = json["animations"][0]["samplers"][0];
       EXPECT_EQ(json["accessors"][sampler["output"].get<int>()]["count"], frames * (frames - 1));
@@ -218,6 +219,32 @@ TEST_F(Animation, glbHasTheMeshAndItsFramesAsMorphTargets) {
     EXPECT_EQ(mesh.summary.components, 2);
     EXPECT_EQ(mesh.summary.triangles, 6);
     EXPECT_EQ(mesh.cloth.positions.size(), 10U);
+  }
+}
+
+TEST_F(Animation, glbKeepsTheOrderOfTheVerticesOfTheFile) {
+  Clip clip = smallClip(1);
+  auto mesh = std::make_shared<FileMesh>(*smallMesh());
+  mesh->corners = {3, 2, 1, 0, 2, 4, 1};  // in another order than the vertices
+  mesh->uvCorners = {3, 2, 1, 0, 5, 6, 4};
+  mesh->positions.emplace_back(5, 5, 5);  // of no triangle
+  mesh->particle.push_back(-1);
+  clip.objects[0].mesh = mesh;
+  const std::string bytes = written("a.glb", clip, 1);
+  const auto jsonSize = at<std::uint32_t>(bytes, 12);
+  const auto json = nlohmann::json::parse(bytes.substr(20, jsonSize));
+  const auto& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+  const auto placeOf = [&](const char* attribute) {
+    const auto& accessor = json["accessors"][attributes[attribute].get<int>()];
+    return 20 + jsonSize + 8 + json["bufferViews"][accessor["bufferView"].get<int>()]["byteOffset"].get<std::size_t>();
+  };
+  std::vector<Vec3> expected = frameAt(clip, 0)[0].positions;
+  expected.push_back(expected[2]);
+  expected.push_back(expected[1]);
+  expectPoints(bytes, placeOf("POSITION"), false, expected);
+  const std::vector<float> us{0.0F, 0.5F, 0.5F, 0.0F, 1.0F, 0.0F, 0.75F, 0.75F};
+  for (std::size_t i = 0; i < us.size(); ++i) {
+    EXPECT_EQ(at<float>(bytes, placeOf("TEXCOORD_0") + 8 * i), us[i]) << i;
   }
 }
 

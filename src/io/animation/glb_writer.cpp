@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <utility>
 
 namespace drape::io::animation {
@@ -26,7 +27,8 @@ constexpr std::uint32_t binaryMark = 0x004E4942;  // "BIN"
 constexpr std::size_t headerSize = 12;
 constexpr std::size_t chunkHeaderSize = 8;
 
-/// The vertices of glTF: each has one texture coordinate, so those of the file are split at seams.
+/// The vertices of glTF: those of the file in their order. Each has one texture coordinate, so those with several are
+/// followed by copies, at the end.
 struct SplitMesh {
   std::vector<int> vertex;  ///< of the file's mesh
   std::vector<Vec2> uvs;    ///< empty when the file has none
@@ -34,16 +36,27 @@ struct SplitMesh {
 };
 
 SplitMesh split(const FileMesh& mesh) {
+  const std::size_t vertices = mesh.positions.size();
   SplitMesh result;
+  result.vertex.resize(vertices);
+  std::iota(result.vertex.begin(), result.vertex.end(), 0);
+  result.uvs.resize(mesh.uvs.empty() ? 0 : vertices, Vec2::Zero());
+  std::vector<bool> used(vertices, false);
   std::map<std::pair<int, int>, std::uint32_t> known;
   const auto numberOf = [&](int corner) {
+    const int vertex = mesh.corners[corner];
     const int uv = mesh.uvCorners.empty() ? -1 : mesh.uvCorners[corner];
-    const auto [place, added] = known.try_emplace({mesh.corners[corner], uv}, static_cast<std::uint32_t>(known.size()));
+    const auto [place, added] = known.try_emplace({vertex, uv}, static_cast<std::uint32_t>(vertex));
     if (added) {
-      result.vertex.push_back(mesh.corners[corner]);
+      if (used[vertex]) {
+        place->second = static_cast<std::uint32_t>(result.vertex.size());
+        result.vertex.push_back(vertex);
+        result.uvs.resize(mesh.uvs.empty() ? 0 : result.vertex.size());
+      }
+      used[vertex] = true;
       if (!mesh.uvs.empty()) {
         const Vec2 coordinates = uv < 0 ? Vec2(Vec2::Zero()) : mesh.uvs[uv];
-        result.uvs.emplace_back(coordinates.x(), 1.0 - coordinates.y());  // glTF counts v from the top
+        result.uvs[place->second] = {coordinates.x(), 1.0 - coordinates.y()};  // glTF counts v from the top
       }
     }
     return place->second;
