@@ -155,7 +155,7 @@ std::vector<sim::ErrorSources> measureErrorSources(const scene::SceneDescription
   const auto fine = run(*finer, exact, costOfFinerMesh);
   std::vector<sim::ErrorSources> sources;
   for (std::size_t k = 0; k < plan.times.size(); ++k) {
-    sources.push_back({.time = plan.times[k],
+    sources.push_back({.time = checkpointsIn(plan.times[k]) * checkpointInterval,
                        .method = distanceOf(ofMethod[k], reference[k]),
                        .mesh = sim::meshErrorFactor * meshDistance(*own, reference[k], *finer, fine[k]),
                        .material = distanceOf(stiff[k], reference[k]),

@@ -37,7 +37,7 @@ namespace drape::report {
 
 /// What to compare.
 struct ErrorSourcesPlan {
-  std::vector<double> times{0.2, 0.5};  ///< ascending, multiples of checkpointInterval [s]
+  std::vector<double> times{0.2, 0.5};  ///< ascending, rounded to multiples of checkpointInterval [s]
   double referenceTolerance = 1e-5;     ///< error tolerance of `auto` in all runs but that of the method [m]
   int threads = 1;
 };
@@ -45,10 +45,11 @@ struct ErrorSourcesPlan {
 /// Called during the runs with the part that is done, from 0 to 1. An exception from it ends them.
 using PartDone = std::function<void(double part)>;
 
-/// Compares the sources of error of a cloth from the start of its scene. The method is that of the settings. All other
-/// runs use `auto` with the full stiffness, the full lift of eq. 20, the tolerance of the plan and twice the substeps
-/// that it needs. A distance is infinite where a run blew up. Throws UsageError for a time step that does not divide
-/// checkpointInterval, and InputError for a cloth with seams or a mesh that is too large.
+/// Compares the sources of error of a cloth from the start of its scene, at the rounded times of the plan. The method
+/// is that of the settings. All other runs use `auto` with the full stiffness, the full lift of eq. 20, the tolerance
+/// of the plan and twice the substeps that it needs. A distance is infinite where a run blew up. Throws UsageError for
+/// a time step that does not divide checkpointInterval, and InputError for a cloth with seams or a mesh that is too
+/// large.
 [[nodiscard]] std::vector<sim::ErrorSources> measureErrorSources(const scene::SceneDescription& description,
                                                                  const settings::Settings& settings,
                                                                  const ErrorSourcesPlan& plan,

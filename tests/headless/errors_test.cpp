@@ -20,6 +20,17 @@ TEST(ErrorSources, ofACoarseSheetAreMostlyItsMesh) {
   EXPECT_GT(last["mesh"].get<double>(), 10.0 * last["method"].get<double>());
 }
 
+TEST(ErrorSources, areLabelledWithTheRoundedTime) {
+  const auto file = testFolder() / "errors.json";
+  const Outcome outcome =
+      headless("errors grid --set grid.resolution=5 --tolerance 1e-3 --times 0.04,0.09 --json " + file.string());
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  const auto json = nlohmann::json::parse(readFile(file));
+  EXPECT_NEAR(json["sources"][0]["time"].get<double>(), 1.0 / 30.0, 1e-12);
+  EXPECT_NEAR(json["sources"][1]["time"].get<double>(), 0.1, 1e-12);
+  EXPECT_EQ(outcome.output.find("0.04"), std::string::npos) << outcome.output;
+}
+
 TEST(ErrorSources, ofAMeshFileAreThoseOfItsSubdivision) {
   const Outcome outcome = headless("errors curtain --times 0.0333333 --tolerance 1e-4");
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
