@@ -207,8 +207,9 @@ std::vector<std::array<int, 2>> TomlReader::pairs(std::string_view key) const {
 }
 
 std::vector<Vec3> TomlReader::vectors(std::string_view key) const {
-  return list<Vec3>(key, "points [x, y, z]",
-                    [&](const toml::node& entry) { return std::optional(asVector(entry, key, farAway)); });
+  return list<Vec3>(key, "points: [[x, y, z], ...]", [&](const toml::node& entry) {
+    return entry.is_array() ? std::optional(asVector(entry, key, farAway)) : std::nullopt;
+  });
 }
 
 std::vector<TomlReader> TomlReader::tables(std::string_view key) const {
