@@ -70,8 +70,9 @@ void printNotes(const scene::Scene& scene) {
     std::cerr << "warning: " << note << '\n';
   }
   if (scene.pinAdvice) {
-    std::cerr << "warning: " << scene.pinAdvice->text << " Use --set " << scene.pinAdvice->key << '='
-              << scene.pinAdvice->value << '\n';
+    const scene::Advice& advice = *scene.pinAdvice;
+    std::cerr << "warning: " << advice.text
+              << (advice.key.empty() ? "" : " Use --set " + advice.key + "=" + advice.value) << '\n';
   }
 }
 

@@ -30,6 +30,13 @@ std::optional<Advice> adviceOnPins(const SceneDescription& description, const se
   const std::string cure = byShape ? "none" : "shape";
   const text::Sentence byShapeButton("Pin by shape");
   const text::Sentence button = byShape ? text::Sentence("Pin nothing") : byShapeButton;
+  const auto isFrozen = [](const ClothDescription& cloth) { return cloth.frozen; };
+  if (pinned > 0 && pinned == vertices && std::ranges::all_of(description.cloths, isFrozen)) {
+    return Advice{text::Sentence("Every cloth is frozen, so nothing can move. Remove frozen = true from the scene file."),
+                  {},
+                  {},
+                  {}};
+  }
   if (pinned > 0 && pinned == vertices) {
     return Advice{text::Sentence("All {} vertices are pinned, so nothing can move.", vertices), "pins", cure, button};
   }

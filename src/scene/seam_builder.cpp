@@ -133,7 +133,7 @@ class SeamBuilder {
       }
       if (model_.pinned[pair.a] && model_.pinned[pair.b]) {
         fail(
-            Sentence("{} and {} are both pinned, so that they cannot be drawn together", named(pair.a), named(pair.b)));
+            Sentence("{} and {} are both pinned or frozen, so that they cannot be drawn together", named(pair.a), named(pair.b)));
       }
       for (const auto& [vertex, partner] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
         if (!partners.emplace(vertex, partner).second) {

@@ -158,6 +158,18 @@ TEST_F(MeshReadingTest, PinsThatHoldAllOrNothingAreTold) {
   EXPECT_FALSE(open(level)->pinAdvice.has_value());
 }
 
+TEST_F(MeshReadingTest, FrozenClothIsToldAsTheCauseSincePinsWouldNotHelp) {
+  for (const char* pins : {"scene", "none", "shape"}) {
+    const SceneDescription frozen = openScene(write("frozen.toml", "[cloth]\ngrid = \"vertical\"\nfrozen = true\n" +
+                                                                       ("[settings]\npins = \"" + std::string(pins)) +
+                                                                       "\"\n"));
+    const auto built = buildScene(frozen, frozen.settings);
+    ASSERT_TRUE(built->pinAdvice.has_value());
+    EXPECT_NE(built->pinAdvice->text.english().find("Remove frozen = true"), std::string::npos);
+    EXPECT_EQ(built->pinAdvice->key, "");
+  }
+}
+
 TEST_F(MeshReadingTest, AScenesMeshIsInMetresWithYUpUnlessItSaysOtherwise) {
   write("mesh.obj", testing::objText(testing::scaled(testing::withZUp(testing::shirt({})), 100.0)));
   const SceneDescription plain = openScene(write("plain.toml", "[cloth]\nmesh = \"mesh.obj\"\n"));

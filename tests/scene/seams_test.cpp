@@ -197,7 +197,7 @@ TEST(Seams, areRefusedBetweenPins) {
   for (std::size_t at = pinned.find("position ="); at != std::string::npos; at = pinned.find("position =", at + 60)) {
     pinned.insert(at, "pins = { corners = [\"top_left\"] }\n");
   }
-  expectRefused("[[seams]]\ncloths = [\"front\", \"back\"]\npairs = [[0, 0]]\n", "are both pinned", pinned);
+  expectRefused("[[seams]]\ncloths = [\"front\", \"back\"]\npairs = [[0, 0]]\n", "are both pinned or frozen", pinned);
 }
 
 TEST(Seams, areRefusedBetweenFabrics) {
