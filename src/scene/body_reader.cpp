@@ -56,7 +56,7 @@ void checkKeys(const TomlReader& table, const std::string& shape) {
       return;
     }
   }
-  table.fail("bodies.shape must be one of " + known + (shape.empty() ? "" : ", not \"" + shape + "\""));
+  table.failAt("shape", "bodies.shape must be one of " + known + (shape.empty() ? "" : ", not \"" + shape + "\""));
 }
 
 double length(const TomlReader& table, std::string_view key, double usual) {
@@ -76,7 +76,7 @@ sim::contact::BodyShape readShape(const TomlReader& table, const std::string& sh
   }
   const Vec3 size = table.vector("size").value_or(Vec3::Ones());
   if (!(size.minCoeff() >= smallest && size.maxCoeff() <= farAway)) {
-    table.fail("bodies.size must be three lengths from 0.0001 to 10000");
+    table.failAt("size", "bodies.size must be three lengths from 0.0001 to 10000");
   }
   return sim::contact::BoxShape{0.5 * size};
 }
@@ -232,7 +232,7 @@ void readSurface(const TomlReader& table, sim::contact::Body& body) {
     surface.kineticFriction = std::min(surface.kineticFriction, surface.staticFriction);
   }
   if (surface.kineticFriction > surface.staticFriction) {
-    table.fail("kinetic_friction must not be larger than static_friction");
+    table.failAt("kinetic_friction", "kinetic_friction must not be larger than static_friction");
   }
   body.surface = surface;
 }

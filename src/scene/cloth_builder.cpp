@@ -71,11 +71,7 @@ std::vector<PinSelection> pinsInForce(const ClothDescription& cloth, const setti
 }
 
 std::vector<int> selectedBy(const PinSelection& pins, const Source& source) {
-  try {
-    return selectPins(pins, source.mesh.cloth.positions, source.grid ? &*source.grid : nullptr);
-  } catch (const messages::InputError& error) {
-    throw messages::InputError(placed(pins.where, error.what()));
-  }
+  return selectPins(pins, source.mesh.cloth.positions, source.grid ? &*source.grid : nullptr);
 }
 
 /// The pins of a cloth in groups, by the indices of its own mesh. Each vertex is in the first group that selects it.

@@ -33,8 +33,8 @@ BorderPath borderOf(const BandDescription& band, const BorderFinder& borders) {
   }
   for (const int vertex : band.vertices) {
     if (vertex < 0 || vertex >= borders.vertexCount()) {
-      throw messages::SentenceError(text::Sentence("there is no vertex {} in this cloth: it has {}, counted from 0",
-                                                   vertex, borders.vertexCount()));
+      throw messages::SentenceError(text::Sentence("there is no vertex {} in this cloth: its vertices are 0 to {}",
+                                                   vertex, borders.vertexCount() - 1));
     }
   }
   return borders.pathThrough(band.vertices);

@@ -1,6 +1,7 @@
 #include "scene/pin_selection.hpp"
 
 #include "messages/error.hpp"
+#include "scene/mesh_file.hpp"
 
 #include <algorithm>
 
@@ -31,23 +32,32 @@ void addTop(const std::vector<Vec3>& positions, double fraction, std::vector<int
       positions, [&](const Vec3& position) { return position.y() >= from; }, selected);
 }
 
+/// The pins that a grid knows by name. Throws InputError with the place of the table.
+std::vector<int> namedPins(const PinSelection& pins, const GridLayout& grid) {
+  try {
+    return gridPins(pins, grid);
+  } catch (const messages::InputError& error) {
+    throw messages::InputError(placed(pins.where, error.what()));
+  }
+}
+
 }  // namespace
 
 std::vector<int> selectPins(const PinSelection& pins, const std::vector<Vec3>& restPositions, const GridLayout* grid) {
   std::vector<int> selected = pins.vertices;
   for (const int vertex : selected) {
     if (vertex < 0 || vertex >= static_cast<int>(restPositions.size())) {
-      throw messages::InputError("pins.vertices contains vertex " + std::to_string(vertex) +
-                                 ", but the cloth has only " + std::to_string(restPositions.size()) +
-                                 " (counted from 0)");
+      throw messages::InputError(placed(pins.whereVertices, "pins.vertices contains vertex " + std::to_string(vertex) +
+                                                                ", but the vertices of the cloth are 0 to " +
+                                                                std::to_string(restPositions.size() - 1)));
     }
   }
   if (grid != nullptr) {
-    const std::vector<int> named = gridPins(pins, *grid);
+    const std::vector<int> named = namedPins(pins, *grid);
     selected.insert(selected.end(), named.begin(), named.end());
   } else if (!pins.corners.empty() || !pins.edges.empty()) {
-    throw messages::InputError(
-        "pins.corners and pins.edges belong to a grid; for a mesh use vertices, nearest, boxes or top");
+    throw messages::InputError(placed(
+        pins.where, "pins.corners and pins.edges belong to a grid; for a mesh use vertices, nearest, boxes or top"));
   }
   for (const Vec3& point : pins.nearest) {
     selected.push_back(nearestVertex(restPositions, point));

@@ -6,7 +6,8 @@
 namespace drape::scene {
 
 /// The selected vertices of a rest shape, sorted, without duplicates. `grid` is the layout of a grid, otherwise
-/// nullptr. Throws InputError for an index out of range, or for corners and edges of a cloth that is not a grid.
+/// nullptr. Throws InputError, with the place in the file, for an index out of range, or for corners and edges of a
+/// cloth that is not a grid.
 [[nodiscard]] std::vector<int> selectPins(const PinSelection& pins, const std::vector<Vec3>& restPositions,
                                           const GridLayout* grid);
 

@@ -70,7 +70,8 @@ struct PinSelection {
   int every = 1;                     ///< only every n-th vertex along edges, and the last
   std::string body;                  ///< the body that moves the pins; empty: none
   std::optional<sim::contact::BodyMotion> motion;  ///< of pins without a body; empty: they are fixed in space
-  std::string where;  ///< file and line of the table, for messages; empty without a scene file
+  std::string where;               ///< file and line of the table, for messages; empty without a scene file
+  std::string whereVertices = {};  ///< of its key `vertices`
 };
 
 /// The clip of a file with a skeletal animation, which becomes the frames of a body.

@@ -42,10 +42,10 @@ std::optional<MeshFileSource> readStart(const TomlReader& reader, const std::fil
     return std::nullopt;
   }
   if (!io::isMeshFile(*name)) {
-    reader.fail("start must name a mesh file with the vertices of the mesh: start = \"fitted.obj\"");
+    reader.failAt("start", "start must name a mesh file with the vertices of the mesh: start = \"fitted.obj\"");
   }
   if (reader.has("pleats")) {
-    reader.fail("a cloth has either pleats or a start");
+    reader.failAt("start", "a cloth has either pleats or a start");
   }
   return MeshFileSource{(folder / *name).string(), false, reader.place("start")};
 }
@@ -63,7 +63,7 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
   } else if (*plane == "horizontal" || *plane == "vertical") {
     cloth.source = GridSource{*plane == "vertical" ? GridSource::Plane::Vertical : GridSource::Plane::Horizontal};
   } else {
-    reader.fail("cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
+    reader.failAt("grid", "cloth.grid must be \"horizontal\" or \"vertical\", not \"" + *plane + "\"");
   }
   cloth.start = readStart(reader, folder);
   cloth.position = reader.vector("position").value_or(Vec3::Zero());
@@ -87,6 +87,7 @@ PinSelection readPins(const TomlReader& reader) {
   PinSelection pins;
   pins.where = reader.place();
   pins.vertices = reader.integers("vertices");
+  pins.whereVertices = reader.place("vertices");
   pins.nearest = reader.vectors("nearest");
   for (const TomlReader& box : reader.tables("boxes")) {
     box.allowOnly({"min", "max"});

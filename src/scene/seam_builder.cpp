@@ -63,9 +63,9 @@ class SeamBuilder {
   [[nodiscard]] static int vertexOf(const ClothPart& cloth, int index) {
     if (index < 0 || index >= cloth.vertexCount) {
       fail(cloth.name.empty()
-               ? Sentence("there is no vertex {} in this cloth: it has {}, counted from 0", index, cloth.vertexCount)
-               : Sentence("there is no vertex {} in the cloth \"{}\": it has {}, counted from 0", index, cloth.name,
-                          cloth.vertexCount));
+               ? Sentence("there is no vertex {} in this cloth: its vertices are 0 to {}", index, cloth.vertexCount - 1)
+               : Sentence("there is no vertex {} in the cloth \"{}\": its vertices are 0 to {}", index, cloth.name,
+                          cloth.vertexCount - 1));
     }
     return cloth.firstVertex + index;
   }

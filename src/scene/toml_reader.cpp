@@ -55,6 +55,10 @@ void TomlReader::fail(const toml::node& node, const std::string& message) const 
   throw messages::InputError(placeOf(node) + ": " + message);
 }
 
+void TomlReader::failAt(std::string_view key, const std::string& message) const {
+  throw messages::InputError(place(key) + ": " + message);
+}
+
 std::string TomlReader::placeOf(const toml::node& node) const {
   return file_ + ":" + std::to_string(node.source().begin.line);
 }

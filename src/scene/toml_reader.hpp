@@ -67,6 +67,8 @@ class TomlReader {
 
   /// Throws InputError "file:line: message".
   [[noreturn]] void fail(const toml::node& node, const std::string& message) const;
+  /// The same, at the key, or at the start of this table when there is no such key.
+  [[noreturn]] void failAt(std::string_view key, const std::string& message) const;
   /// The same, at the start of this table.
   [[noreturn]] void fail(const std::string& message) const { fail(*table_, message); }
 

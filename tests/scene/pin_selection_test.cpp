@@ -38,6 +38,19 @@ TEST(PinSelection, takesWhatIsInsideABox) {
   EXPECT_EQ(selectPins(pins, ladder(), nullptr), (std::vector<int>{2, 4}));
 }
 
+TEST(PinSelection, namesTheVerticesThatThereAreAndTheLine) {
+  PinSelection pins;
+  pins.vertices = {5};
+  pins.where = "a.toml:3";
+  pins.whereVertices = "a.toml:4";
+  try {
+    static_cast<void>(selectPins(pins, ladder(), nullptr));
+    FAIL();
+  } catch (const messages::InputError& error) {
+    EXPECT_STREQ(error.what(), "a.toml:4: pins.vertices contains vertex 5, but the vertices of the cloth are 0 to 4");
+  }
+}
+
 TEST(PinSelection, refusesAVertexThatIsNotThereAndEdgesOfAMesh) {
   PinSelection pins;
   pins.vertices = {5};

@@ -350,7 +350,7 @@ TEST(Scenes, sayTheLineOfTheSceneFileWhosePinsOrMeshAreWrong) {
   };
   const std::string cloth = "[cloth]\nmesh = \"sheet.obj\"\n";
   const std::vector<std::pair<std::string, std::string>> cases{
-      {cloth + "[pins]\nvertices = [4]\n", "mine.toml:3: pins.vertices contains vertex 4"},
+      {cloth + "[pins]\nvertices = [4]\n", "mine.toml:4: pins.vertices contains vertex 4"},
       {cloth + "[pins]\nedges = [\"left\"]\n", "mine.toml:3: pins.corners and pins.edges belong to a grid"},
       {"[cloth]\ngrid = \"vertical\"\n\n[pins]\nedges = [\"front\"]\n", "mine.toml:4: "},
       {"[cloth]\nmesh = \"none.obj\"\n", "mine.toml:2: "},

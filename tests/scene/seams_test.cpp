@@ -164,7 +164,7 @@ TEST(Seams, giveEachVertexOneOfItsOwn) {
 
 TEST(Seams, areRefusedWithAReason) {
   const std::string cloths = "[[seams]]\ncloths = [\"front\", \"back\"]\n";
-  expectRefused(cloths + "pairs = [[0, 25]]\n", "there is no vertex 25 in the cloth \"back\": it has 25");
+  expectRefused(cloths + "pairs = [[0, 25]]\n", "there is no vertex 25 in the cloth \"back\": its vertices are 0 to 24");
   expectRefused(cloths + "pairs = [[0, 4], [0, 9]]\n", "vertex 0 of the cloth \"front\" is in two pairs");
   expectRefused(cloths + "pairs = [[12, 4]]\n", "vertex 12 of the cloth \"front\" is not on an open border");
   expectRefused(cloths + "pairs = []\n", "at least one pair");
