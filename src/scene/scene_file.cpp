@@ -55,7 +55,10 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
   ClothDescription cloth;
   const bool mesh = reader.has("mesh");
   const auto plane = reader.text("grid");
-  if (mesh == plane.has_value()) {
+  if (mesh && plane.has_value()) {
+    reader.failAt("mesh", table + " has both mesh and grid; leave one of them out");
+  }
+  if (!mesh && !plane.has_value()) {
     reader.fail(table + " needs either mesh = \"file.obj\" or grid = \"horizontal\" or \"vertical\"");
   }
   if (mesh) {
@@ -132,7 +135,10 @@ std::vector<ClothDescription> readCloths(const TomlReader& reader, const std::st
                                          const std::filesystem::path& folder) {
   const auto only = reader.table("cloth");
   const std::vector<TomlReader> several = reader.tables("cloths");
-  if (only.has_value() != several.empty()) {
+  if (only.has_value() && !several.empty()) {
+    reader.failAt("cloths", "a scene has either a table [cloth] or tables [[cloths]], not both");
+  }
+  if (!only.has_value() && several.empty()) {
     throw messages::InputError(file +
                                ": a scene needs either a table [cloth] or tables [[cloths]], with a mesh or a "
                                "grid");
