@@ -5,10 +5,10 @@
 namespace drape::scene {
 namespace {
 
-/// Whether a scene defines pins.
+/// Whether a scene defines pins. A table in its file does, even if it selects nothing.
 bool namesPins(const PinSelection& pins) {
-  return !pins.vertices.empty() || !pins.nearest.empty() || !pins.boxes.empty() || pins.top || !pins.corners.empty() ||
-         !pins.edges.empty();
+  return !pins.where.empty() || !pins.vertices.empty() || !pins.nearest.empty() || !pins.boxes.empty() || pins.top ||
+         !pins.corners.empty() || !pins.edges.empty();
 }
 
 /// The first table that defines pins; nullptr if there is none.
@@ -32,10 +32,11 @@ std::optional<Advice> adviceOnPins(const SceneDescription& description, const se
   const text::Sentence button = byShape ? text::Sentence("Pin nothing") : byShapeButton;
   const auto isFrozen = [](const ClothDescription& cloth) { return cloth.frozen; };
   if (pinned > 0 && pinned == vertices && std::ranges::all_of(description.cloths, isFrozen)) {
-    return Advice{text::Sentence("Every cloth is frozen, so nothing can move. Remove frozen = true from the scene file."),
-                  {},
-                  {},
-                  {}};
+    return Advice{
+        text::Sentence("Every cloth is frozen, so nothing can move. Remove frozen = true from the scene file."),
+        {},
+        {},
+        {}};
   }
   if (pinned > 0 && pinned == vertices) {
     return Advice{text::Sentence("All {} vertices are pinned, so nothing can move.", vertices), "pins", cure, button};

@@ -78,6 +78,9 @@ ClothDescription readCloth(const TomlReader& reader, const std::string& table, c
     cloth.bands.push_back(readBand(band));
   }
   if (const auto pleats = reader.table("pleats")) {
+    if (mesh) {
+      reader.failAt("pleats", "pleats belong to a grid; for a mesh use start, a file with the pleated cloth");
+    }
     pleats->allowOnly({"count", "gather"});
     cloth.pleats = Pleats{pleats->integer("count", 1, 1000).value_or(Pleats{}.count),
                           pleats->number("gather", 0.1, 1.0).value_or(Pleats{}.gather)};
@@ -96,11 +99,17 @@ PinSelection readPins(const TomlReader& reader) {
     box.allowOnly({"min", "max"});
     pins.boxes.push_back(
         {box.vector("min").value_or(Vec3::Constant(-farAway)), box.vector("max").value_or(Vec3::Constant(farAway))});
+    if ((pins.boxes.back().min.array() > pins.boxes.back().max.array()).any()) {
+      box.fail("a box needs min and max with no coordinate of min larger than that of max");
+    }
   }
   pins.top = reader.number("top", 0.0, 1.0);
   pins.corners = reader.texts("corners");
   pins.edges = reader.texts("edges");
   pins.every = reader.integer("every", 1, 1000).value_or(1);
+  if (reader.has("every") && pins.edges.empty()) {
+    reader.failAt("every", "pins.every belongs to pins.edges");
+  }
   pins.body = reader.text("body").value_or("");
   if (reader.has("keyframes")) {
     if (!pins.body.empty()) {

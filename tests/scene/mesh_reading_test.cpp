@@ -160,9 +160,9 @@ TEST_F(MeshReadingTest, PinsThatHoldAllOrNothingAreTold) {
 
 TEST_F(MeshReadingTest, FrozenClothIsToldAsTheCauseSincePinsWouldNotHelp) {
   for (const char* pins : {"scene", "none", "shape"}) {
-    const SceneDescription frozen = openScene(write("frozen.toml", "[cloth]\ngrid = \"vertical\"\nfrozen = true\n" +
-                                                                       ("[settings]\npins = \"" + std::string(pins)) +
-                                                                       "\"\n"));
+    const SceneDescription frozen =
+        openScene(write("frozen.toml", "[cloth]\ngrid = \"vertical\"\nfrozen = true\n" +
+                                           ("[settings]\npins = \"" + std::string(pins)) + "\"\n"));
     const auto built = buildScene(frozen, frozen.settings);
     ASSERT_TRUE(built->pinAdvice.has_value());
     EXPECT_NE(built->pinAdvice->text.english().find("Remove frozen = true"), std::string::npos);
@@ -200,6 +200,9 @@ TEST_F(MeshReadingTest, PinsOfASceneThatHoldNothingAreToldWithTheirLine) {
   ASSERT_TRUE(built->pinAdvice.has_value());
   EXPECT_NE(built->pinAdvice->text.english().find("mine.toml:3: [pins] contains no vertex"), std::string::npos)
       << built->pinAdvice->text;
+  const SceneDescription empty =
+      openScene(write("empty.toml", "[cloth]\ngrid = \"vertical\"\n[pins]\nvertices = []\n"));
+  EXPECT_TRUE(buildScene(empty, empty.settings)->pinAdvice.has_value()) << "an empty list too";
 }
 
 }  // namespace
