@@ -74,13 +74,13 @@ io::animation::Shape exportedShape(const sim::ClothModel& model, const std::vect
 }
 
 void exportFrame(const scene::Scene& scene, const sim::ClothModel& model, const std::vector<Vec3>& positions,
-                 const std::filesystem::path& file) {
+                 const std::filesystem::path& file, Existing existing) {
   const io::animation::Format& format = io::animation::formatOf(file);
   if (scene.cloths.size() > 1 && !format.holdsObjects) {
     throw messages::UsageError("the scene has " + std::to_string(scene.cloths.size()) + " cloths, and a ." +
                                std::string(format.extension) + " file holds one mesh; choose .obj or .glb");
   }
-  if (std::filesystem::exists(file)) {
+  if (existing == Existing::Refused && std::filesystem::exists(file)) {
     throw messages::InputError(file.string() + " exists; choose another name");
   }
   std::vector<std::size_t> all(scene.cloths.size());

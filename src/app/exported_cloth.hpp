@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/output_file.hpp"
 #include "io/animation/animation.hpp"
 #include "scene/scene.hpp"
 
@@ -38,10 +39,10 @@ enum class ExportCoordinates {
 [[nodiscard]] io::animation::Shape exportedShape(const sim::ClothModel& model, const std::vector<Vec3>& positions,
                                                  const scene::ClothPart& cloth, ExportCoordinates coordinates);
 
-/// Writes all cloths of a scene to a new file, in one frame. Throws UsageError when the format is unknown or cannot
-/// hold several cloths, and InputError when the file exists or cannot be written.
+/// Writes all cloths of a scene to a file, in one frame. Throws UsageError when the format is unknown or cannot
+/// hold several cloths, and InputError when the file exists and may not be replaced, or cannot be written.
 /// @param model, positions of the cloth [m]
 void exportFrame(const scene::Scene& scene, const sim::ClothModel& model, const std::vector<Vec3>& positions,
-                 const std::filesystem::path& file);
+                 const std::filesystem::path& file, Existing existing = Existing::Refused);
 
 }  // namespace drape::app

@@ -7,6 +7,9 @@
 
 namespace drape::app {
 
+/// Whether a file may be replaced.
+enum class Existing { Refused, Replaced };
+
 /// A file for the results of a program.
 ///
 /// It is opened before the run, so that a wrong folder shows at once. The old content stays until `write` replaces it.

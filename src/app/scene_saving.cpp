@@ -15,7 +15,7 @@ namespace {
 void requireFree(const std::filesystem::path& file, Existing existing) {
   std::error_code error;
   if (existing == Existing::Refused && std::filesystem::exists(file, error)) {
-    throw messages::InputError(file.string() + " exists already; give another name");
+    throw messages::InputError(file.string() + " exists already; give another name, or --replace");
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/output_file.hpp"
 #include "scene/scene_writer.hpp"
 
 #include <filesystem>
@@ -7,9 +8,6 @@
 #include <vector>
 
 namespace drape::app {
-
-/// Whether a file may be replaced.
-enum class Existing { Refused, Replaced };
 
 /// The file that a path of the user means: absolute, and with the ending .toml if it has none. Throws InputError for
 /// another ending.

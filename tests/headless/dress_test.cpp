@@ -123,6 +123,25 @@ TEST(Dress, writesAGarmentThatFitsTheFileAndSimulatesOnTheBody) {
   EXPECT_NE(run.output.find("intersecting triangle pairs: none"), std::string::npos) << run.output << run.errors;
 }
 
+TEST(Dress, replacesFilesOnlyIfAskedToAndNeverItsInput) {
+  const auto folder = testFolder();
+  const auto output = folder / "fitted.obj";
+  const auto scene = folder / "fitted.toml";
+  const std::string arguments = "dress builtin:tshirt.obj mannequin --place file --move 0 -0.03 0.04 --output " +
+                                output.string() + " --scene " + scene.string();
+  std::ofstream(output) << "old";
+  std::ofstream(scene) << "old";
+  EXPECT_EQ(headless(arguments).status, 1);
+  EXPECT_EQ(readFile(output), "old");
+  const Outcome outcome = headless(arguments + " --replace");
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_FALSE(linesOf(output, "f").empty());
+  EXPECT_NE(readFile(scene).find("start = 'fitted.obj'"), std::string::npos);
+  const std::string garment = readFile(output);
+  EXPECT_EQ(headless("dress " + output.string() + " mannequin --output " + output.string() + " --replace").status, 2);
+  EXPECT_EQ(readFile(output), garment);
+}
+
 TEST(Dress, fitsTheGarmentToTheBindPoseOfAFigureThatAClipMovesAfterwards) {
   const auto folder = testFolder();
   io::BarFile bar;
@@ -213,7 +232,8 @@ TEST(Dress, saysWhatIsWrongWithBadInput) {
   EXPECT_NE(failure("flag mannequin" + to).find("the garment must be a mesh"), std::string::npos);
   EXPECT_NE(failure(shirt + " mannequin --output " + (folder / "no" / "out.obj").string()).find("out.obj"),
             std::string::npos);
-  EXPECT_NE(failure(shirt + " mannequin --output " + box).find("exists"), std::string::npos);
+  EXPECT_NE(failure(shirt + " mannequin --output " + box).find("exists; choose another name, or give --replace"),
+            std::string::npos);
   EXPECT_NE(failure(shirt + " mannequin --scene " + (folder / "no" / "out.toml").string() + to).find("out.toml"),
             std::string::npos);
   const Outcome unknown = headless("dress " + shirt + " mannequin --output " + (folder / "out.xyz").string());

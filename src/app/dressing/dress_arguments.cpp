@@ -5,6 +5,7 @@
 #include "app/output_file.hpp"
 #include "app/progress_line.hpp"
 #include "app/scene_saving.hpp"
+#include "app/used_files.hpp"
 #include "dressing/dressing.hpp"
 #include "dressing/piercing.hpp"
 #include "io/animation/animation.hpp"
@@ -37,9 +38,13 @@ Dressed dressed(const scene::Scene& scene, const sim::ClothMesh& body, const Dre
   return dressing::dress(*scene.model, scene.start.positions, body, options);
 }
 
+Existing existing(const DressArguments& arguments) {
+  return arguments.replace ? Existing::Replaced : Existing::Refused;
+}
+
 void writeGarment(scene::Scene scene, const Dressed& result, const DressArguments& arguments) {
   scene.cloths.front().placement.metresPerUnit /= arguments.choices.scale;
-  exportFrame(scene, *scene.model, result.positions, arguments.output);
+  exportFrame(scene, *scene.model, result.positions, arguments.output, existing(arguments));
 }
 
 /// A scene of the garment, whose unit and axes are known now. It starts where it was fitted.
@@ -54,7 +59,7 @@ void writeScene(const scene::Scene& scene, const DressArguments& arguments) {
   settings.mesh.up = placement.up;
   const auto built = scene::buildScene(fitted, settings);
   for (const text::Sentence& note :
-       saveScene(*built, scene::unchanged(*built), sceneFile(arguments.sceneOutput), Existing::Refused)) {
+       saveScene(*built, scene::unchanged(*built), sceneFile(arguments.sceneOutput), existing(arguments))) {
     std::cerr << "note: " << note << '\n';
   }
 }
@@ -96,10 +101,11 @@ scene::ReadingChoice garmentReading(settings::Settings settings, const std::vect
   return {settings.mesh.unit, settings.mesh.up};
 }
 
-/// Throws InputError if the file exists or cannot be written. @param what it will contain, for messages
-void requireNewFile(const std::filesystem::path& file, const char* what) {
-  if (std::filesystem::exists(file)) {
-    throw messages::InputError(file.string() + " exists; choose another name");
+/// Throws InputError if the file exists and may not be replaced, or cannot be written.
+/// @param what it will contain, for messages
+void requireFile(const std::filesystem::path& file, const char* what, Existing existing) {
+  if (existing == Existing::Refused && std::filesystem::exists(file)) {
+    throw messages::InputError(file.string() + " exists; choose another name, or give --replace");
   }
   const OutputFile canBeWritten(file.string(), what);
 }
@@ -111,19 +117,23 @@ void DressArguments::addTo(CLI::App& app) {
   app.add_option("--scene", sceneOutput, "Also write a scene file of the fitted garment and the body")
       ->type_name("OUT.toml")
       ->check(notEmpty());
+  app.add_flag("--replace", replace, "Replace files of these names");
   settings.addSettingsTo(app);
 }
 
 void DressArguments::run() const {
   static_cast<void>(io::animation::formatOf(output));  // throws for an unknown extension
-  requireNewFile(output, "the garment");
+  requireFile(output, "the garment", existing(*this));
   if (!sceneOutput.empty()) {
-    requireNewFile(sceneFile(sceneOutput), "the scene");
+    requireFile(sceneFile(sceneOutput), "the scene", existing(*this));
     if (!output.ends_with(".obj")) {
       throw messages::UsageError(output + ": a scene needs the garment as an OBJ file; end --output in .obj");
     }
   }
   const auto scene = choices.open(settings);
+  UsedFiles files(*scene);
+  files.write(output, "--output");
+  files.write(sceneOutput.empty() ? "" : sceneFile(sceneOutput), "--scene");
   const bool isBuiltIn = scene::isBuiltInWear(choices.garment);
   printFound(choices.garment,
              isBuiltIn ? scene::ReadingChoice() : garmentReading(scene->description.settings, settings.settings),

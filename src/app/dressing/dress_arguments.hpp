@@ -13,6 +13,7 @@ struct DressArguments {
   DressingChoices choices;
   std::string output;       ///< the fitted garment, in a format of io::animation
   std::string sceneOutput;  ///< a scene file of both; empty: none
+  bool replace = false;     ///< whether files of these names may be replaced
   SceneArguments settings;  ///< its scene is not used
 
   void addTo(CLI::App& app);
