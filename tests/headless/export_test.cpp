@@ -119,6 +119,7 @@ TEST(Export, hasExactFrameTimes) {
       headless("run grid --seconds 0.5 --rate 24 --set time_step=0.01 --export " + (folder / "a.csv").string());
   EXPECT_EQ(refused.status, 2);
   EXPECT_NE(refused.errors.find("--set time_step=1/120"), std::string::npos) << refused.errors;
+  EXPECT_EQ(refused.errors.find("note: the time step"), std::string::npos) << "--set wins: " << refused.errors;
 }
 
 TEST(Export, putsSettingsIntoNames) {

@@ -28,7 +28,11 @@ double fittingTimeStep(double rate, double timeStep) {
   return isWhole(1.0 / (rate * timeStep)) ? timeStep : 1.0 / (rate * enoughSteps(rate, timeStep));
 }
 
-std::function<void(settings::Settings&)> fitTimeStep(double rate) {
+std::function<void(settings::Settings&)> fitTimeStep(double rate, std::span<const std::string> changes) {
+  const auto setsTimeStep = [](const std::string& change) { return change.starts_with("time_step="); };
+  if (std::ranges::any_of(changes, setsTimeStep)) {
+    return {};
+  }
   return [rate](settings::Settings& settings) {
     double& timeStep = settings.step.timeStep;
     if (const double fitting = fittingTimeStep(rate, timeStep); fitting != timeStep) {

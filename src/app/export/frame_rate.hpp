@@ -3,6 +3,8 @@
 #include "settings/settings.hpp"
 
 #include <functional>
+#include <span>
+#include <string>
 
 namespace drape::app {
 
@@ -15,8 +17,8 @@ inline constexpr double maxFrameRate = 1000.0;
 [[nodiscard]] double fittingTimeStep(double rate, double timeStep);
 
 /// Shortens the time step of a scene so that a frame is a whole number of steps, with a note on standard error. Does
-/// nothing if it is one already.
-[[nodiscard]] std::function<void(settings::Settings&)> fitTimeStep(double rate);
+/// nothing if it is one already, or if one of the changes ("key=value") sets the time step.
+[[nodiscard]] std::function<void(settings::Settings&)> fitTimeStep(double rate, std::span<const std::string> changes);
 
 /// The number of time steps in a frame. Throws UsageError, with a time step that fits, when that is not a whole number.
 [[nodiscard]] int stepsPerFrame(double rate, double timeStep);

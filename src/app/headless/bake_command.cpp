@@ -202,7 +202,7 @@ void bake(BakeArguments arguments) {
     throw messages::UsageError("--film " + arguments.film + ": films are .mp4, .webm or .gif");
   }
   StopSignal stop;
-  arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
+  arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate(), arguments.scene.settings);
   const auto scene = arguments.scene.load();
   printPiercedStart(scene);
   session::Simulation simulation(scene);

@@ -63,7 +63,7 @@ void draw(const CaptureArguments& arguments, int every, session::Simulation& sim
 void capture(CaptureArguments arguments) {
   StopSignal stop;
   if (arguments.rate) {
-    arguments.scene.adjust = fitTimeStep(*arguments.rate);
+    arguments.scene.adjust = fitTimeStep(*arguments.rate, arguments.scene.settings);
   }
   const auto scene = arguments.scene.load();
   printPiercedStart(scene);

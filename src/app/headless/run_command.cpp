@@ -297,7 +297,7 @@ void run(RunArguments arguments) {
   }
   arguments.scene.settings.push_back("threads=" + std::to_string(arguments.threads));
   if (arguments.exports.hasFrames()) {
-    arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate());
+    arguments.scene.adjust = fitTimeStep(arguments.exports.frameRate(), arguments.scene.settings);
   }
   const auto scene = report::withJitteredStart(arguments.scene.load(), arguments.jitter);
   UsedFiles files = filesOf(arguments, *scene);
