@@ -6,6 +6,7 @@
 #include "scene/cloth_material.hpp"
 #include "scene/rest_pattern.hpp"
 #include "settings/settings_table.hpp"
+#include "text/words.hpp"
 
 #include <cmath>
 #include <exception>
@@ -23,11 +24,38 @@ int fail(const CLI::App& app, ExitStatus status, const std::string& message) {
   return static_cast<int>(status);
 }
 
+/// The message for a program with commands that was given none of them.
+std::string commandMessage(const CLI::App& app) {
+  std::vector<std::string> commands;
+  std::string list;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    commands.push_back(command->get_name());
+    list += (list.empty() ? "" : ", ") + command->get_name();
+  }
+  const std::vector<std::string> rest = app.remaining();
+  if (rest.empty()) {
+    return "give a command: " + list;
+  }
+  const std::string& given = rest.front();
+  if (given.starts_with('-')) {
+    return "give a command before " + given + ": " + list;
+  }
+  const std::string meant = text::nearestWord(given, commands);
+  return "there is no command '" + given + "'; " + (meant.empty() ? "the" : "did you mean '" + meant + "'? The") +
+         " commands are " + list;
+}
+
 /// Parses the command line and runs the subcommand. Returns false after it printed the help or the version.
 bool parseOrHelp(CLI::App& app, int argc, char** argv) {
+  app.set_version_flag("--version", app.get_name() + " " DRAPE_VERSION, "Print the version and exit");
   try {
     app.parse(argc, argv);
     return true;
+  } catch (const CLI::RequiredError&) {
+    if (app.get_require_subcommand_min() > app.get_subcommands().size()) {
+      throw messages::UsageError(commandMessage(app));
+    }
+    throw;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != 0) {
       throw;

@@ -2,11 +2,10 @@
 #include "settings/settings_table.hpp"
 #include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
+#include "text/words.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
-#include <numeric>
 #include <optional>
 
 namespace drape::settings {
@@ -48,52 +47,12 @@ Sentence listWords(const std::vector<std::string>& words) {
   return first.empty() ? Sentence::verbatim(words.front()) : Sentence("{} or {}", first, words.back());
 }
 
-/// The Levenshtein distance between two words.
-int editDistance(std::string_view a, std::string_view b) {
-  std::vector<int> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    int diagonal = row[0];
-    row[0] = static_cast<int>(i) + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const int substituted = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substituted, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-std::string inSmallLetters(std::string_view text) {
-  std::string small(text);
-  std::ranges::transform(small, small.begin(),
-                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return small;
-}
-
-/// The most similar word for a mistyped one: a word that starts with it, or one that differs in a few letters. Case
-/// does not count. Empty when no word is similar.
-std::string nearestWord(std::string_view mistyped, const std::vector<std::string>& words) {
-  constexpr std::size_t fewLetters = 3;
-  const std::string given = inSmallLetters(mistyped);
-  const auto begun = std::ranges::find_if(words, [&](const std::string& word) {
-    return given.size() >= fewLetters && inSmallLetters(word).starts_with(given);
-  });
-  if (begun != words.end()) {
-    return *begun;
-  }
-  const auto distance = [&](const std::string& word) { return editDistance(given, inSmallLetters(word)); };
-  const auto nearest = std::ranges::min_element(words, {}, distance);
-  const int allowed = given.size() <= fewLetters ? 1 : std::max(2, static_cast<int>(given.size()) / 3);
-  return nearest != words.end() && distance(*nearest) <= allowed ? *nearest : std::string();
-}
-
 std::string nearestKey(std::string_view key) {
   std::vector<std::string> keys;
   for (const SettingInfo& info : settingsTable()) {
     keys.emplace_back(info.key);
   }
-  return nearestWord(key, keys);
+  return text::nearestWord(key, keys);
 }
 
 [[noreturn]] void refuse(const SettingInfo& info, const std::string& given, const Settings& settings,
@@ -133,7 +92,7 @@ void assignChoice(Settings& settings, const SettingInfo& info, const ChoiceField
   const bool isOther = !std::holds_alternative<bool>(value) && field.accepts != nullptr && field.accepts(text) &&
                        (base.empty() || std::find(choices.begin(), choices.end(), base) != choices.end());
   if (!isWord && !isOther) {
-    refuse(info, quoted(text), settings, nearestWord(text, choices));
+    refuse(info, quoted(text), settings, text::nearestWord(text, choices));
   }
   field.set(settings, text);
 }

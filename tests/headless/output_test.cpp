@@ -47,6 +47,29 @@ TEST(BlowingUp, isAnErrorOfCaptureWhichStillWritesItsPictures) {
   EXPECT_TRUE(std::filesystem::exists(folder / "f_2.png"));
 }
 
+TEST(Commands, areListedWhereThereIsNoneOfThatName) {
+  const Outcome unknown = headless("simulate flag");
+  EXPECT_EQ(unknown.status, 2);
+  EXPECT_NE(unknown.errors.find("there is no command 'simulate'; the commands are run, capture"), std::string::npos)
+      << unknown.errors;
+  const Outcome mistyped = headless("Run flag --seconds 1");
+  EXPECT_EQ(mistyped.status, 2);
+  EXPECT_NE(mistyped.errors.find("there is no command 'Run'; did you mean 'run'?"), std::string::npos)
+      << mistyped.errors;
+  const Outcome none = headless("");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.errors.find("give a command: run, "), std::string::npos) << none.errors;
+}
+
+TEST(Commands, haveAVersion) {
+  const Outcome outcome = headless("--version");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.output.rfind("drape-headless ", 0), 0U) << outcome.output;
+  const Outcome ofReport = report("--version");
+  EXPECT_EQ(ofReport.status, 0);
+  EXPECT_EQ(ofReport.output.rfind("drape-report ", 0), 0U) << ofReport.output;
+}
+
 TEST(OutputFiles, neverReplaceAFileThatTheCommandReads) {
   const auto folder = testFolder();
   const auto mesh = folder / "sheet.obj";

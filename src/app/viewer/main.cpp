@@ -74,7 +74,6 @@ int main(int argc, char** argv) {
   drape::app::DressingChoices dressing;
   dressing.addTo(*dress);
   dress->fallthrough();  // the options of the window may follow
-  app.set_version_flag("--version", std::string("drape ") + DRAPE_VERSION);
   app.footer(drape::app::StatusFile::help);
   return drape::app::runProgram(app, argc, argv, [&] {
     if (!windowSize.empty()) {
