@@ -8,6 +8,8 @@
 #include "scene/seam_builder.hpp"
 #include "sim/model/bounds.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -56,8 +58,9 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   JoinedCloths joined = joinCloths(description, settings, watch.part(0.0, meshIsRead));
   watch.tell(meshIsRead, "Building");
   scene->model = modelOf(joined, settings);
+  std::vector<std::string> seamNotes;
   scene->seams = std::make_shared<const std::vector<sim::Seam>>(
-      seamsOf(description.seams, joined.mesh, joined.cloths, *scene->model));
+      seamsOf(description.seams, joined.mesh, joined.cloths, *scene->model, {}, &seamNotes));
   scene->restPositions = std::move(joined.mesh.positions);
   watch.tell(0.95, "Building");
   scene->start = sim::stateAtRest(std::move(joined.start));
@@ -68,6 +71,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
     std::erase_if(scene->summary.warnings,
                   [](const std::string& warning) { return warning.ends_with(io::piecesNeedPins); });
   }
+  std::ranges::move(seamNotes, std::back_inserter(scene->summary.warnings));
   if (joined.showsReading) {
     scene->reading = joined.reading;
   }

@@ -6,6 +6,7 @@
 #include "scene/mesh_file.hpp"
 #include "sim/fabric/weld.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <map>
 #include <string>
@@ -24,9 +25,9 @@ class SeamBuilder {
   SeamBuilder(const SeamBuilder&) = delete;  // borders_ points to it
   SeamBuilder& operator=(const SeamBuilder&) = delete;
 
-  [[nodiscard]] sim::Seam build(const SeamDescription& seam) const {
+  [[nodiscard]] sim::Seam build(const SeamDescription& seam, std::vector<std::string>* notes) const {
     try {
-      sim::Seam result{.pairs = seam.pairs.empty() ? pairsOfSides(seam) : pairsByIndex(seam),
+      sim::Seam result{.pairs = seam.pairs.empty() ? pairsOfSides(seam, notes) : pairsByIndex(seam),
                        .duration = seam.duration};
       check(result.pairs);
       return result;
@@ -82,7 +83,8 @@ class SeamBuilder {
     return pairs;
   }
 
-  [[nodiscard]] std::vector<sim::SeamPair> pairsOfSides(const SeamDescription& seam) const {
+  [[nodiscard]] std::vector<sim::SeamPair> pairsOfSides(const SeamDescription& seam,
+                                                        std::vector<std::string>* notes) const {
     const std::vector<int> first = pointsOf(seam.sides[0]);
     const std::vector<int> second = pointsOf(seam.sides[1]);
     if ((first.size() == 1) != (second.size() == 1)) {
@@ -94,6 +96,12 @@ class SeamBuilder {
     BorderPath to = borders_.pathThrough(second, !seam.isReversed);
     if (seam.isReversed && !to.isClosed) {
       std::ranges::reverse(to.vertices);
+    }
+    if (notes != nullptr && from.vertices.size() != to.vertices.size()) {
+      notes->push_back(placed(
+          seam.where, fmt::format("the sides of this seam have {} and {} vertices, so slits stay open at the vertices "
+                                  "without a partner. Give both sides equally many vertices.",
+                                  from.vertices.size(), to.vertices.size())));
     }
     std::vector<sim::SeamPair> pairs = matched(from, to, mesh_.positions);
     dropCommonEnds(pairs);
@@ -132,8 +140,8 @@ class SeamBuilder {
         fail(Sentence("{} cannot be sewn to itself", named(pair.a)));
       }
       if (model_.pinned[pair.a] && model_.pinned[pair.b]) {
-        fail(
-            Sentence("{} and {} are both pinned or frozen, so that they cannot be drawn together", named(pair.a), named(pair.b)));
+        fail(Sentence("{} and {} are both pinned or frozen, so that they cannot be drawn together", named(pair.a),
+                      named(pair.b)));
       }
       for (const auto& [vertex, partner] : {std::pair(pair.a, pair.b), std::pair(pair.b, pair.a)}) {
         if (!partners.emplace(vertex, partner).second) {
@@ -181,13 +189,13 @@ void requireWeldable(std::span<const sim::Seam> seams, const std::string& where,
 
 std::vector<sim::Seam> seamsOf(std::span<const SeamDescription> seams, const sim::ClothMesh& mesh,
                                std::span<const ClothPart> cloths, const sim::ClothModel& model,
-                               std::vector<sim::Seam> before) {
+                               std::vector<sim::Seam> before, std::vector<std::string>* notes) {
   if (seams.empty()) {
     return before;
   }
   const SeamBuilder builder(mesh, cloths, model);
   for (const SeamDescription& seam : seams) {
-    before.push_back(builder.build(seam));
+    before.push_back(builder.build(seam, notes));
     requireWeldable(before, seam.where, model);
   }
   return before;

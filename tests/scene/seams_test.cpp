@@ -135,6 +135,11 @@ TEST(Seams, pairVerticesByTheShareOfTheLength) {
                            "to = { cloth = \"front\", vertices = [0, 20] }\n");
   EXPECT_EQ(scene->seams->front().pairs, (std::vector<sim::SeamPair>{{33, 0}, {51, 5}, {69, 10}, {87, 15}, {105, 20}}))
       << "every second vertex of the finer border";
+  const std::vector<std::string>& warnings = scene->summary.warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find(": the sides of this seam have 9 and 5 vertices, so slits stay open"), std::string::npos)
+      << warnings[0];
+  EXPECT_TRUE(warnings[0].starts_with("test.toml:")) << warnings[0];
 }
 
 TEST(Seams, giveEachVertexOneOfItsOwn) {
@@ -164,7 +169,8 @@ TEST(Seams, giveEachVertexOneOfItsOwn) {
 
 TEST(Seams, areRefusedWithAReason) {
   const std::string cloths = "[[seams]]\ncloths = [\"front\", \"back\"]\n";
-  expectRefused(cloths + "pairs = [[0, 25]]\n", "there is no vertex 25 in the cloth \"back\": its vertices are 0 to 24");
+  expectRefused(cloths + "pairs = [[0, 25]]\n",
+                "there is no vertex 25 in the cloth \"back\": its vertices are 0 to 24");
   expectRefused(cloths + "pairs = [[0, 4], [0, 9]]\n", "vertex 0 of the cloth \"front\" is in two pairs");
   expectRefused(cloths + "pairs = [[12, 4]]\n", "vertex 12 of the cloth \"front\" is not on an open border");
   expectRefused(cloths + "pairs = []\n", "at least one pair");
@@ -234,6 +240,7 @@ TEST(Seams, ofTheBuiltInDressAreItsSidesAndShoulders) {
   EXPECT_EQ((*scene->seams)[0].pairs.size(), (*scene->seams)[1].pairs.size());
   EXPECT_GT((*scene->seams)[0].pairs.size(), 30U);
   EXPECT_GE((*scene->seams)[2].pairs.size(), 3U);
+  EXPECT_TRUE(scene->summary.warnings.empty()) << "all sides have as many vertices as their partners";
 }
 
 }  // namespace
