@@ -160,6 +160,10 @@ class Runner {
 
 }  // namespace
 
+void requireSections(const ReportOptions& options) {
+  requireSections(sectionTable(), options);
+}
+
 bool measureSections(const ReportOptions& options, SectionRows& rows, const RunHooks& hooks) {
   return measureSections(sectionTable(), options, rows, hooks);
 }

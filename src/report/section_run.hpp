@@ -17,6 +17,9 @@ struct RunHooks {
   std::function<void(const SectionRows&)> measured;  ///< called after each cell with all rows so far
 };
 
+/// Throws UsageError for an unknown section in `options.only`.
+void requireSections(const ReportOptions& options);
+
 /// Measures the cells that are not in `rows` and adds them: all cells of all sections once, before any is repeated.
 /// Repeats are thus far apart in time, and a run that is short of time lacks only repeats. Each row gets `cell`, the
 /// key of its cell, and `rounds`, the number of its measurements. Rows are in the order of the plan. Returns false when

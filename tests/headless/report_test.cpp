@@ -135,6 +135,7 @@ TEST(Report, refusesToCompareWithWrongFiles) {
                                    (folder / "old.json").string());
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.errors.find(because), std::string::npos) << outcome.errors;
+    EXPECT_FALSE(std::filesystem::exists(folder / "new")) << "no empty folder is left behind";
   };
   refuses("no JSON", "is not JSON");
   refuses("{}", "is not a report.json");
@@ -150,7 +151,8 @@ TEST(Report, refusesWrongUse) {
   };
   const std::string folder = testFolder().string();
   refuses("--quick", 2, "--output");
-  refuses("--only nothing --output " + folder, 2, "table1");
+  refuses("--only nothing --output " + folder + "/new", 2, "table1");
+  EXPECT_FALSE(std::filesystem::exists(folder + "/new")) << "no empty folder is left behind";
   refuses("--threads 0 --output " + folder, 2, "--threads");
   refuses("--scene nothing --output " + folder, 1, "nothing");
   refuses("--scene skirt --output " + folder, 1, "grid");

@@ -148,18 +148,19 @@ report::ReportOptions optionsOf(const ReportArguments& arguments) {
   return options;
 }
 
-report::Report prepare(const ReportArguments& arguments, report::ReportOptions options,
-                       const std::optional<ReportFolder>& folder) {
+report::Report emptyReport(report::ReportOptions options) {
   report::Report report;
   report.machine = report::machineJson(report::buildInfo());
   report.options = std::move(options);
-  if (arguments.resume) {
-    const auto earlier = folder->earlier();
-    if (!earlier.is_null()) {
-      report.rows = report::rowsToResume(earlier, report);
-    }
-  }
   return report;
+}
+
+/// Takes the measurements that the folder has.
+void resume(const ReportFolder& folder, report::Report& report) {
+  const auto earlier = folder.earlier();
+  if (!earlier.is_null()) {
+    report.rows = report::rowsToResume(earlier, report);
+  }
 }
 
 /// Prints paragraphs and tables to a terminal.
@@ -196,16 +197,19 @@ bool compare(const nlohmann::ordered_json& older, report::Report& report) {
 /// Whether something changed since the earlier report.
 bool run(const ReportArguments& arguments, StopSignal& stop) {
   requireConsistent(arguments);
-  report::ReportOptions options = optionsOf(arguments);
-  std::optional<ReportFolder> folder;
-  if (!arguments.output.empty()) {
-    folder.emplace(arguments.output);
-  }
-  report::Report report = prepare(arguments, std::move(options), folder);
+  report::requireSections(arguments.options);
+  report::Report report = emptyReport(optionsOf(arguments));
   nlohmann::ordered_json older;
   if (!arguments.compare.empty()) {
     older = readReport(arguments.compare);  // read it now: the program may overwrite this file
     report::requireComparable(older, report);
+  }
+  std::optional<ReportFolder> folder;  // not before: wrong usage leaves no empty folder
+  if (!arguments.output.empty()) {
+    folder.emplace(arguments.output);
+  }
+  if (arguments.resume) {
+    resume(*folder, report);
   }
   ReportSaver saver(folder, report);
   {
