@@ -88,14 +88,16 @@ std::vector<MeshFact> factsOf(const MeshSummary& summary) {
   using text::Sentence;
   const Sentence borders(text::plural(summary.boundaryLoops, "{} open border", "{} open borders"),
                          summary.boundaryLoops);
-  return {
-      {"mesh", Sentence::verbatim(summary.source)},
-      {"vertices", Sentence("{} ({} in the file, split at texture seams)", summary.vertices, summary.verticesInFile)},
-      {"triangles", Sentence::verbatim(std::to_string(summary.triangles))},
-      {"springs", Sentence::verbatim(std::to_string(summary.springs))},
-      {"pieces", Sentence("{}, with {}", summary.components, borders)},
-      {"size", Sentence("{} m (width x height x depth)",
-                        fmt::format("{:.3g} x {:.3g} x {:.3g}", summary.size[0], summary.size[1], summary.size[2]))}};
+  const Sentence vertices = summary.vertices == summary.verticesInFile
+                                ? Sentence("{}", summary.vertices)
+                                : Sentence("{} ({} as read from the file)", summary.vertices, summary.verticesInFile);
+  return {{"mesh", Sentence::verbatim(summary.source)},
+          {"vertices", vertices},
+          {"triangles", Sentence::verbatim(std::to_string(summary.triangles))},
+          {"springs", Sentence::verbatim(std::to_string(summary.springs))},
+          {"pieces", Sentence("{}, with {}", summary.components, borders)},
+          {"size", Sentence("{} m (width x height x depth)", fmt::format("{:.3g} x {:.3g} x {:.3g}", summary.size[0],
+                                                                         summary.size[1], summary.size[2]))}};
 }
 
 std::vector<std::string> describe(const MeshSummary& summary) {

@@ -123,13 +123,13 @@ void Simulation::reportOverlap() {
   if (contact.overlaps > 0) {
     const bool stuck = state_.time - lastOutside_ > patience;
     const double depth = contact.deepestOverlap * 1e3;
+    const text::Sentence triangles(text::plural(contact.overlaps, "{} triangle", "{} triangles"), contact.overlaps);
     overlapMessage_ = text::Sentence(
-        stepIndex_ == 0 ? "The cloth starts inside a body ({} triangles, up to {} mm deep) and is pushed out slowly."
-        : stuck
-            ? "The cloth is still inside a body ({} triangles, up to {} mm deep) and contact cannot push it out: the "
-              "body may cross the cloth, or not fit. Move or scale one of them."
-            : "The cloth is inside a body ({} triangles, up to {} mm deep) and is pushed out slowly.",
-        contact.overlaps, fmt::format("{:.{}f}", depth, depth < 10.0 ? 1 : 0));
+        stepIndex_ == 0 ? "The cloth starts inside a body ({}, up to {} mm deep) and is pushed out slowly."
+        : stuck         ? "The cloth is still inside a body ({}, up to {} mm deep) and contact cannot push it out: the "
+                          "body may cross the cloth, or not fit. Move or scale one of them."
+                        : "The cloth is inside a body ({}, up to {} mm deep) and is pushed out slowly.",
+        triangles, fmt::format("{:.{}f}", depth, depth < 10.0 ? 1 : 0));
   }
 }
 

@@ -92,6 +92,8 @@ TEST(MeshSummary, isDescribedLineByLineWithoutItsWarnings) {
   const std::vector<std::string> lines = describe(summary);
   EXPECT_NE(lines.front().find("big.obj"), std::string::npos);
   EXPECT_NE(lines.back().find("size"), std::string::npos);
+  EXPECT_EQ(lines[1], "vertices:    4 (5 as read from the file)");
+  EXPECT_EQ(describe(weldMesh(square(1.0), "plain.obj", {}).summary)[1], "vertices:    4") << "nothing was joined";
 }
 
 }  // namespace

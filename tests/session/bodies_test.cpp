@@ -202,6 +202,18 @@ TEST(Bodies, aStartInsideABodyIsReportedUntilTheClothIsOut) {
   }
 }
 
+TEST(Bodies, aSingleTriangleInsideABodyIsOneTriangle) {
+  // A ball above the middle of one of the cells of 0.25 m: it touches neither their edges nor their vertices.
+  Simulation simulation(
+      testing::sceneFrom("[cloth]\ngrid = \"horizontal\"\nposition = [0, 1, 0]\n"
+                         "[[bodies]]\nshape = \"sphere\"\nradius = 0.02\n"
+                         "position = [0.1, 1.01, 0.05]\n"
+                         "[settings]\ngrid.resolution = 5\ngrid.width = 1\ngrid.height = 1\n"));
+  simulation.step();
+  EXPECT_EQ(simulation.lastStepReport().contact.overlaps, 1);
+  EXPECT_NE(simulation.message().english().find("(1 triangle, up to "), std::string::npos) << simulation.message();
+}
+
 TEST(Bodies, takeAnotherSurfaceByCommand) {
   Simulation simulation(sheetOnTable());
   testing::takeSteps(simulation, 10);
