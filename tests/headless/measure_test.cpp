@@ -33,6 +33,15 @@ TEST(Measure, findsTheErrorOfBackwardEulersFreeFall) {
   EXPECT_EQ(json["reference"]["kind"], "solver");
 }
 
+TEST(Measure, notesASummaryAfterTheEnd) {
+  const Outcome late = headless(small + "--seconds 0.1 --against one_iteration --summary 0.1,5");
+  EXPECT_EQ(late.status, 0) << late.errors;
+  EXPECT_NE(late.errors.find("note: there is no summary at 5 s"), std::string::npos) << late.errors;
+  EXPECT_EQ(late.errors.find("summary at 0.1 s"), std::string::npos) << late.errors;
+  const Outcome usual = headless(small + "--seconds 0.1 --against one_iteration");
+  EXPECT_EQ(usual.errors.find("no summary"), std::string::npos) << usual.errors;
+}
+
 TEST(Measure, findsNoErrorInTheReferenceItself) {
   const auto json = measurementOf("--seconds 0.1 --against same_step --reference-set solver=one_iteration");
   EXPECT_EQ(json["checkpoints"][2]["mean_error"], 0.0);

@@ -12,6 +12,7 @@
 #include "settings/settings_table.hpp"
 #include "sim/solvers/solver.hpp"
 
+#include <cmath>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -29,6 +30,7 @@ struct MeasureArguments {
   double referenceTolerance = 1e-6;
   bool restarted = false;
   std::vector<double> summaries{0.2, 0.5};
+  bool summariesAreGiven = false;  // by the user
   std::string json;
 };
 
@@ -98,11 +100,23 @@ void warn(const report::Measurement& measurement) {
   }
 }
 
+/// Prints a note about times of --summary after the end.
+void noteLateSummaries(const MeasureArguments& arguments, int checkpoints) {
+  for (const double time : arguments.summaries) {
+    if (std::lround(time / report::checkpointInterval) > checkpoints) {
+      std::cerr << "note: there is no summary at " << time << " s, which is after the end; raise --seconds\n";
+    }
+  }
+}
+
 void run(const MeasureArguments& arguments) {
   const report::ReferenceKind kind = kindOf(arguments.against);
   const auto scene = arguments.scene.load();
   report::MeasurementPlan plan;
   plan.checkpoints = report::checkpointsIn(arguments.seconds);
+  if (arguments.summariesAreGiven) {
+    noteLateSummaries(arguments, plan.checkpoints);
+  }
   plan.against = kind;
   plan.reference = referenceSettings(arguments, kind, scene->settings);
   plan.restarted = arguments.restarted;
@@ -152,14 +166,17 @@ void addMeasureCommand(CLI::App& app) {
       ->add_option("--reference-tolerance", arguments->referenceTolerance,
                    "Largest mean change of the converged reference when its step is halved [m]")
       ->check(numberFrom(1e-12, 1.0));
-  command->add_option("--summary", arguments->summaries, "Times of the summary [s]")
-      ->delimiter(',')
-      ->type_name("T,...")
-      ->check(numberFrom(0.0, maxMeasuredSeconds));
+  const CLI::Option* summaries = command->add_option("--summary", arguments->summaries, "Times of the summary [s]")
+                                     ->delimiter(',')
+                                     ->type_name("T,...")
+                                     ->check(numberFrom(0.0, maxMeasuredSeconds));
   command->add_option("--json", arguments->json, "Write all results to this file (JSON)")
       ->type_name("FILE")
       ->check(notEmpty());
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments, summaries] {
+    arguments->summariesAreGiven = summaries->count() > 0;
+    run(*arguments);
+  });
 }
 
 }  // namespace drape::app
