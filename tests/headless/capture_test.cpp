@@ -90,7 +90,8 @@ TEST(Capture, refusesWrongUsageWithStatusTwo) {
        {"capture grid --frames 2", "capture grid --frames 2 --output f.png", "capture grid --frames 0 --output f.png",
         "capture grid --frames 1 --resolution 0,0 --output f.png",
         "capture grid --frames 1 --resolution 100 --output f.png",
-        "capture grid --frames 1 --resolution 100,abc --output f.png",
+        "capture grid --frames 1 --resolution 100,abc --output f.png", "capture grid --frames 1 --output f.bmp",
+        "capture grid --frames 2 --output f_{frame}.jpg",
         "capture grid --frames 1 --camera-position 1,2 --output f.png",
         "capture grid --frames 1 --camera-position 0,0,0 --camera-focal-point 0,0,0 --output f.png"}) {
     const Outcome outcome = headless(arguments);

@@ -1,15 +1,31 @@
 #include "app/export/picture_files.hpp"
 
 #include "app/output_file.hpp"
+#include "messages/error.hpp"
+#include "text/words.hpp"
 
 #include <fmt/core.h>
 #include <filesystem>
 
 namespace drape::app {
+namespace {
+
+/// Throws UsageError for an ending of another format than PNG. A name without an ending is allowed.
+void requirePicture(const std::filesystem::path& file) {
+  const std::string ending = text::lowerCase(file.extension().string());
+  if (!ending.empty() && ending != ".png") {
+    throw messages::UsageError(file.string() + ": pictures are .png, and films .mp4, .webm or .gif");
+  }
+}
+
+}  // namespace
 
 PictureFiles::PictureFiles(const std::string& file, int pictures, int width, int height, double rate)
     // The name of a film has no number.
     : pattern_(file, isFilm(file) ? 1 : pictures), rate_(rate) {
+  if (!isFilm(file)) {
+    requirePicture(file);
+  }
   if (const auto folder = std::filesystem::path(pattern_.name(0)).parent_path(); !folder.empty()) {
     makeFolder(folder);
   }
