@@ -15,6 +15,17 @@ bool canBeNamed(const std::string& up) {
   return up == "y" || up == "z";
 }
 
+/// The name with letters, digits, "_", "-" and "." only.
+std::string plainName(std::string name) {
+  std::ranges::replace_if(
+      name,
+      [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view("_-.").find(c) == std::string::npos;
+      },
+      '_');
+  return name.empty() ? "cloth" : name;
+}
+
 }  // namespace
 
 bool canHoldFileCoordinates(const scene::Scene& scene, const io::animation::Format& format) {
@@ -27,14 +38,7 @@ ExportCoordinates usualCoordinates(const scene::Scene& scene, const io::animatio
 }
 
 std::string exportedName(const scene::Scene& scene, const scene::ClothPart& cloth) {
-  std::string name = cloth.name.empty() ? scene.description.name : cloth.name;
-  std::ranges::replace_if(
-      name,
-      [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string_view("_-.").find(c) == std::string::npos;
-      },
-      '_');
-  return name.empty() ? "cloth" : name;
+  return plainName(cloth.name.empty() ? scene.description.name : cloth.name);
 }
 
 io::animation::Clip clipOf(const scene::Scene& scene, const std::vector<std::size_t>& cloths,
@@ -49,7 +53,8 @@ io::animation::Clip clipOf(const scene::Scene& scene, const std::vector<std::siz
     clip.metresPerUnit = placement.metresPerUnit;
     clip.up = canBeNamed(placement.up) ? placement.up.front() : 'y';
   }
-  clip.comment = "Made with Drape from " + exportedName(scene, scene.cloths[cloths.front()]);
+  clip.comment =
+      "Made with Drape from " + (cloths.size() > 1 ? plainName(scene.description.name) : clip.objects.front().name);
   return clip;
 }
 

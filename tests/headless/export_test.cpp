@@ -107,6 +107,7 @@ TEST(Export, writesAFileForEachClothWhereAFormatHoldsOne) {
   EXPECT_EQ(caches, 2);
   const std::string usda = readFile(folder / "all.usda");
   EXPECT_NE(usda.find("def Mesh", usda.find("def Mesh") + 1), std::string::npos);
+  EXPECT_NE(usda.find("Made with Drape from table_runner\""), std::string::npos) << "not from one of its cloths";
 }
 
 TEST(Export, hasExactFrameTimes) {
