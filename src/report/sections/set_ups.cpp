@@ -49,11 +49,12 @@ std::vector<SetUp> ownSetUps() {
     // The scene's sheet is level; here it is upright, with its back edge up.
     return twisted({rest.x(), -rest.z(), 0.0}, length);
   };
-  SetUp tshirt{"tshirt",
-               "a T-shirt of 2,014 vertices whose sleeves and body fall from its shoulders, without air and contact (the "
-               "cloth of the scene mannequin)",
-               "mannequin",
-               {"drag=0", "lift=0", "damping=0", "self_collision=off"}};
+  SetUp tshirt{
+      "tshirt",
+      "a T-shirt of 2,014 vertices whose sleeves and body fall from its shoulders, without air and contact (the "
+      "cloth of the scene mannequin)",
+      "mannequin",
+      {"drag=0", "lift=0", "damping=0", "self_collision=off"}};
   tshirt.top = scene::topOfBareMesh;
   return {hang, flag, crush, twist, tshirt};
 }
