@@ -208,7 +208,7 @@ void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<B
 
 ContactReport ContactStage::keepLast() {
   changed_ = false;
-  report_.bodySeconds = report_.selfSeconds = 0.0;
+  report_.bodySeconds = report_.selfSeconds = report_.guardWork = 0.0;
   return report_;
 }
 

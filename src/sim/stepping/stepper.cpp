@@ -327,8 +327,11 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   total.contact = total.choice && total.choice->sleeping
                       ? contact_.keepLast()
                       : contact_.resolve(model, parameters, parameters.contact, own, state, 1.0 / contactSubsteps_);
-  // Moving features apart stretches the cloth. Without this the cloth would gain energy from contact with itself.
-  adaptive::removeInnerMotion(model, pieces_.get(model, freePieces), total.contact.guardWork, state);
+  // Moving features apart stretches the cloth. A solver that resolves contacts conserves energy, and would keep this
+  // one.
+  if (info_->resolvesContacts) {
+    adaptive::removeInnerMotion(model, pieces_.get(model, freePieces), total.contact.guardWork, state);
+  }
   const ClothState* unresolved = repeatsInShorterParts(*info_, parameters) ? contact_.unresolved() : nullptr;
   if (unresolved != nullptr) {
     largestCorrection_ = std::max(largestCorrection_, largestDistance(unresolved->positions, state.positions));
