@@ -89,7 +89,7 @@ std::vector<MeshFact> factsOf(const MeshSummary& summary) {
   const Sentence borders(text::plural(summary.boundaryLoops, "{} open border", "{} open borders"),
                          summary.boundaryLoops);
   const Sentence vertices = summary.vertices == summary.verticesInFile
-                                ? Sentence("{}", summary.vertices)
+                                ? Sentence::verbatim(std::to_string(summary.vertices))
                                 : Sentence("{} ({} as read from the file)", summary.vertices, summary.verticesInFile);
   return {{"mesh", Sentence::verbatim(summary.source)},
           {"vertices", vertices},

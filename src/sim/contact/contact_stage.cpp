@@ -33,8 +33,8 @@ bool hasBoundedPositions(const std::vector<Vec3>& positions) {
 /// search for pairs would then find nearly all pairs of the cloth. Without contact the solver soon ends in numbers that
 /// are not finite, which is reported.
 bool diverges(const ClothModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& end, double timeStep) {
-  constexpr double largePart = 0.2;  // of the diagonal of the cloth [-]
-  constexpr double maxSpeed = 30.0;  // of a small cloth [m/s]
+  constexpr double diagonals = 2.0;   // of the cloth [-]
+  constexpr double maxSpeed = 300.0;  // of a small cloth [m/s]
   Vec3 sum = Vec3::Zero();
   int count = 0;
   for (std::size_t v = 0; v < start.size(); ++v) {
@@ -44,7 +44,7 @@ bool diverges(const ClothModel& model, const std::vector<Vec3>& start, const std
     }
   }
   const Vec3 mean = sum / std::max(1, count);
-  const double allowed = std::max(largePart * boundsOf(start).diagonal().norm(), maxSpeed * timeStep);
+  const double allowed = std::max(diagonals * boundsOf(start).diagonal().norm(), maxSpeed * timeStep);
   for (std::size_t v = 0; v < start.size(); ++v) {
     if (!model.pinned[v] && (end[v] - start[v] - mean).squaredNorm() > allowed * allowed) {
       return true;
