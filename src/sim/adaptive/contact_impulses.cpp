@@ -129,8 +129,8 @@ void ContactImpulses<T>::findIslands() {
     contacts.push_back({island, i});
     forEachFreeVertex(coupled_[i], [&](std::uint32_t v) { vertices.push_back({island, v}); });
   }
-  std::ranges::sort(contacts);
-  std::ranges::sort(vertices);
+  std::sort(contacts.begin(), contacts.end());
+  std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   sorted_.clear();
   std::ranges::transform(contacts, std::back_inserter(sorted_), [&](const InIsland& i) { return coupled_[i.item]; });

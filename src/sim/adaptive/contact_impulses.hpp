@@ -5,9 +5,9 @@
 #include "sim/simd/step_share.hpp"
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace drape::sim::adaptive {
@@ -93,7 +93,8 @@ class ContactImpulses {
   struct InIsland {
     int island = 0;
     std::uint32_t item = 0;
-    auto operator<=>(const InIsland&) const = default;
+    bool operator==(const InIsland&) const = default;
+    bool operator<(const InIsland& other) const { return std::tie(island, item) < std::tie(other.island, other.item); }
   };
 
   /// Islands from `first` to before `last`.
