@@ -220,8 +220,7 @@ std::vector<std::string> continueFrom(std::string_view checkpoint, Simulation& s
   if (fingerprint != fingerprintOf(simulation)) {
     throw messages::InputError(
         "the checkpoint belongs to another mesh, start, pins, seams or number of bodies than this scene (it was saved "
-        "from "
-        "'" +
+        "from '" +
         name + "'). Give the same scene, --set and --jitter as then.");
   }
   if (!state || state->positions.size() != simulation.state().positions.size()) {

@@ -13,7 +13,7 @@ struct ContactReport {
   int infeasible = 0;           ///< vertices without a position that satisfies all their separating planes
   int crossings = 0;            ///< pairs of features of the cloth that could not be separated (SelfCollision::Exact)
   int intersections = 0;        ///< pairs of triangles of the cloth that intersect at the start (SelfCollision::Exact)
-  double guardWork = 0.0;       ///< energy that keeping these apart added at the end of the contact substep [J]
+  double guardWork = 0.0;       ///< energy that the guard (PairGuard) added in the contact substep [J]
   double bodySeconds = 0.0;     ///< wall-clock time of body contact [s]
   double selfSeconds = 0.0;     ///< wall-clock time of self-collision [s]
 };

@@ -9,9 +9,9 @@ constexpr double decayTime = 0.05;  // of the distance at the end, or after some
 constexpr double maxSpeed = 4.0;    // at which a pair closes [m/s]
 constexpr int sweeps = 4;           // over pairs, which can have common vertices
 
-/// Pairs that are closer follow their way exactly in the substeps, across their line too. Otherwise the cloth moves
-/// them past each other, and the correction at the end of the part stretches it. Only their angular momentum changes,
-/// by little, since they are close.
+/// In the substeps closer pairs keep to their planned motion in all directions. Otherwise the cloth moves their
+/// vertices past each other, and the correction at the end of the part stretches it. This changes the angular momentum,
+/// but little, since the vertices are close.
 constexpr double closeDistance = 0.01;  // [m]
 constexpr double sticking = 1e6;        // coefficient of friction [-]
 

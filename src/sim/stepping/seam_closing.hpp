@@ -20,7 +20,8 @@ namespace drape::sim {
 ///
 /// An impulse J along the line between the two vertices keeps to that distance, and changes positions by h J / m as if
 /// it had acted before the motion. So momentum and angular momentum do not change. A solver that resolves contacts gets
-/// the pairs as contacts, which it resolves in its own substeps.
+/// the pairs as contacts, which it resolves in its own substeps. There close pairs keep to their motion in all
+/// directions, which changes the angular momentum a little.
 class SeamClosing {
  public:
   /// Plans a part of a step from `state`. @param seams those that are not welded; may be empty

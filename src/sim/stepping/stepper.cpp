@@ -262,7 +262,7 @@ int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& pa
   if (nearContacts <= 1 && !couldBeFast) {
     return 1;
   }
-  const bool draws = info_->resolvesContacts && !seams_.empty();
+  const bool isSewing = info_->resolvesContacts && !seams_.empty();
   const contact::SelfApproach itself = info_->resolvesContacts
                                            ? contact_.approachOfItself(model, parameters, parameters.contact, state)
                                            : contact::SelfApproach{};
@@ -270,7 +270,7 @@ int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& pa
   const int fastContacts = static_cast<int>(std::min<double>(maxFastContactSubsteps, fast));
   const bool nearBodies = nearContacts > 1 && contact::meetsBodies(parameters.contact, inputs) &&
                           contact_.isNearBodies(model, parameters, parameters.contact, inputs, state);
-  return std::max(itself.isNear || nearBodies || draws ? nearContacts : 1, fastContacts);
+  return std::max(itself.isNear || nearBodies || isSewing ? nearContacts : 1, fastContacts);
 }
 
 StepReport Stepper::stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters,
