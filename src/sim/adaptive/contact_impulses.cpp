@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace drape::sim::adaptive {
 namespace {
@@ -24,6 +26,9 @@ constexpr double slowSpeed = 0.1;  // [m/s]
 /// never rest again. Real friction falls to the kinetic one in the same range of speeds (Stribeck's curve). Larger:
 /// cloth begins to slide later.
 constexpr double slowSlip = 5e-3;  // [m/s]
+
+/// Maximum speed of a vertex that contacts make faster than all other vertices, relative to bodies and pins [-].
+constexpr double speedRatio = 3.0;
 
 }  // namespace
 
@@ -235,9 +240,56 @@ void ContactImpulses<T>::applyIsland(const Island& island, double time, double d
     contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
   }
   solveIsland(island);
+  limitSpeeds(island);
   for (const std::size_t v : island.vertices) {
     write(vertices_[v], drift, cloth);
   }
+}
+
+/// Contacts that bodies or pins close like scissors throw vertices out of their gap. Such contacts may make no vertex
+/// faster than the fastest vertex was, or much faster than the bodies and the pins are. Without moving bodies and pins
+/// contact adds no energy, and there is no limit.
+template <typename T>
+void ContactImpulses<T>::limitSpeeds(const Island& island) {
+  double before = 0.0;  // squared
+  double after = 0.0;   // squared
+  for (const std::size_t v : island.vertices) {
+    before = std::max(before, vertices_[v].afterKick.squaredNorm());
+    after = std::max(after, vertices_[v].velocity.squaredNorm());
+  }
+  if (after <= before) {
+    return;
+  }
+  const double ofObstacles = squaredSpeedOfObstacles(island);
+  const double limit = std::max(before, speedRatio * speedRatio * ofObstacles);
+  if (ofObstacles == 0.0 || after <= limit) {
+    return;
+  }
+  for (const std::size_t v : island.vertices) {
+    const double squared = vertices_[v].velocity.squaredNorm();
+    if (squared > limit) {
+      vertices_[v].velocity *= std::sqrt(limit / squared);
+    }
+  }
+  for (Contact& contact : island.contacts) {
+    contact.normalImpulse = 0.0;
+    contact.friction = Vec3::Zero();
+  }
+}
+
+/// The maximum of the bodies and the pins [m^2/s^2]; 0 if none moves.
+template <typename T>
+double ContactImpulses<T>::squaredSpeedOfObstacles(const Island& island) const {
+  double squared = 0.0;
+  for (const Contact& contact : island.contacts) {
+    const bool isWithBody = std::accumulate(contact.weights.begin(), contact.weights.end(), 0.0) > 0.5;
+    squared = std::max(squared, isWithBody ? contact.bodyVelocity.squaredNorm() : 0.0);
+    for (std::size_t c = 0; c < contact.count; ++c) {
+      const Vertex& vertex = vertices_[contact.vertices[c]];
+      squared = std::max(squared, vertex.inverseMass > 0.0 ? 0.0 : vertex.afterKick.squaredNorm());
+    }
+  }
+  return squared;
 }
 
 template <typename T>

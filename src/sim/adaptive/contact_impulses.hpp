@@ -120,6 +120,8 @@ class ContactImpulses {
   [[nodiscard]] bool isSlow(const Island& island) const;
   void applyIsland(const Island& island, double time, double drift, simd::SlicedCloth<T>& cloth);
   void solveIsland(const Island& island);
+  void limitSpeeds(const Island& island);
+  [[nodiscard]] double squaredSpeedOfObstacles(const Island& island) const;
   [[nodiscard]] double minSpeedOf(const simd::SlicedCloth<T>& cloth, double time, double drift,
                                   const Contact& contact) const;
   bool solve(Contact& contact);

@@ -1,11 +1,13 @@
 #include "sim/stepping/stepper.hpp"
 
 #include "fabric_cloths.hpp"
+#include "intersection/intersections.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <vector>
 
 namespace drape::sim {
@@ -108,6 +110,47 @@ TEST(MovingPins, ThatAllMoveAlikeCarryClothWithoutDeformingIt) {
   }
   EXPECT_LT(maxStretch(*model, state), 1e-5);
   EXPECT_NEAR(state.positions[40].x() - model->restPositions[40].x(), 0.01 * longer, 1e-5);
+}
+
+TEST(MovingPins, ThatPassOtherPinsThroughTheClothAddLittleEnergyAndLeaveNoIntersection) {
+  constexpr int n = 30;
+  constexpr double width = 0.6;     // [m]
+  constexpr double distance = 0.7;  // [m]
+  constexpr int stepsOfWay = 75;
+  ClothMesh mesh = testing::sheet(n);
+  std::vector<int> pins;
+  std::vector<MovedPin> moved;
+  for (Vec3& position : mesh.positions) {
+    position *= width;
+  }
+  for (int row = 0; row < n; ++row) {
+    pins.insert(pins.end(), {row * n, row * n + n - 1});
+    moved.push_back({row * n, Vec3::Zero()});
+  }
+  const auto model = buildClothModel(mesh, 0.1, MassLumping::Area, pins);
+  StepParameters parameters;
+  parameters.contact.self = contact::SelfCollision::Exact;
+  StepInputs inputs;
+  inputs.movedPins = &moved;
+  Stepper stepper("auto");
+  ClothState state = stateAtRest(model->restPositions);
+  std::size_t mostPairs = 0;
+  double mostEnergy = 0.0;
+  const auto pairs = [&]() {
+    return drape::intersection::intersectingPairs({state.positions, model->triangles}).size();
+  };
+  for (int step = 0; step < 3 * stepsOfWay; ++step) {
+    const double by = step < stepsOfWay ? distance : step < 2 * stepsOfWay ? -distance : 0.0;
+    for (MovedPin& pin : moved) {
+      pin.by = Vec3(by / stepsOfWay, 0.0, 0.0);
+    }
+    stepper.step(*model, parameters, inputs, state);
+    mostPairs = std::max(mostPairs, pairs());
+    mostEnergy = std::max(mostEnergy, energyOf(*model, parameters, state).total());
+  }
+  EXPECT_GT(mostPairs, 0U) << "pins are driven into each other";
+  EXPECT_EQ(pairs(), 0U);
+  EXPECT_LT(mostEnergy, 20.0);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "sim/contact/exact/exact_self_contact.hpp"
 
+#include "sim/contact/exact/corrections.hpp"
 #include "sim/contact/exact/crossing_recovery.hpp"
 #include "sim/contact/solve/remove_approach.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 
 namespace drape::sim::contact {
@@ -144,7 +146,20 @@ void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) 
     goals_.push_back({contact.height, pointOf(constraint, step.start)});
     constraints_.push_back(constraint);
   }
+  before_ = state.positions;
   solver_.solve(constraints_, goals_, inverseMass(step.model), impulseIterations, state.positions);
+  limitCorrections(largestCorrection(step.start, before_, step.contact.thickness), before_, state.positions);
+}
+
+/// The speed of the fastest pin in the step [m/s].
+double ExactSelfContact::pinSpeed(const ExactStep& step, const ClothState& state) {
+  double squared = 0.0;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    if (inverseMass(step.model)[v] == 0.0) {
+      squared = std::max(squared, (state.positions[v] - step.start[v]).squaredNorm());
+    }
+  }
+  return std::sqrt(squared) / step.parameters.timeStep;
 }
 
 /// @returns number of active contacts
@@ -160,13 +175,16 @@ int ExactSelfContact::solveVelocities(const ExactStep& step, ClothState& state, 
       points.push_back({state.positions[constraint.vertices[0]], constraint.normal});
     }
   }
+  before_ = state.velocities;
   solver_.solve(active_, goals_, inverseMass(step.model), impulseIterations, state.velocities);
+  limitSpeeds(inverseMass(step.model), pinSpeed(step, state), before_, state.velocities);
   return static_cast<int>(active_.size());
 }
 
 int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points) {
   findContactsAtEnd(step, state.positions);
   predicted_.clear();
+  guard_.begin();
   int active = 0;
   if (!contacts_.empty()) {
     solvePositions(step, state);

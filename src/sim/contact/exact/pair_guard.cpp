@@ -1,11 +1,11 @@
 #include "sim/contact/exact/pair_guard.hpp"
 
+#include "sim/contact/exact/corrections.hpp"
 #include "sim/contact/exact/near_pairs.hpp"
 #include "sim/contact/exact/pair_contacts.hpp"
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 namespace drape::sim::contact {
 namespace {
@@ -14,6 +14,8 @@ constexpr double guardedSeparation = 0.1;  // that pairs keep, in their thicknes
 constexpr int maxSweepRounds = 6;
 constexpr int maxSweepRoundsOfPart = 40;
 constexpr int sweepsOfRound = 8;
+constexpr int maxSearches = 200;         // in a step, to keep pairs apart
+constexpr int maxSweepRoundsInVain = 6;  // in which no fewer pairs are too close than before
 constexpr int maxPlaneRounds = 40;
 constexpr std::array partsOfMotion{4, 16};  // into which a motion is divided that cannot be guarded at once
 constexpr double sweepMargin = 1.1;         // ratio to the separation that sweeps aim at
@@ -140,6 +142,7 @@ void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
 /// Finds the pairs that are not separated, and adds them to the guarded ones.
 /// @returns true if there are any
 bool PairGuard::find(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<const Vec3> positions) {
+  ++searches_;
   const double required = guardedSeparation * inputs.thickness;
   search.update({inputs.model, required, inputs.reach, inputs.patches, inputs.threads}, inputs.start, positions,
                 workers);
@@ -148,25 +151,54 @@ bool PairGuard::find(const Inputs& inputs, PairSearch& search, Workers& workers,
   return !found_.empty();
 }
 
+/// Whether pairs are too close, and there is time to keep them apart.
+bool PairGuard::mayTryOn() const {
+  return !found_.empty() && searches_ < maxSearches;
+}
+
+/// Moves the features of guarded pairs apart, in rounds of sweeps. In a pinch the sweeps do not converge, and would
+/// throw vertices far away. So if one moves farther than the limit, all go back.
+void PairGuard::sweep(const Inputs& inputs, const Limits& limits, PairSearch& search, Workers& workers,
+                      std::span<Vec3> positions) {
+  if (!find(inputs, search, workers, positions)) {
+    return;
+  }
+  unswept_.assign(positions.begin(), positions.end());
+  std::size_t fewest = found_.size();
+  int roundsInVain = 0;
+  for (int round = 0; mayTryOn() && round < limits.sweepRounds && roundsInVain < maxSweepRoundsInVain; ++round) {
+    for (int i = 0; i < sweepsOfRound; ++i) {
+      moveApart(inputs, positions);
+    }
+    if (exceeds(limits.correction, unswept_, positions)) {
+      std::ranges::copy(unswept_, positions.begin());
+      round = limits.sweepRounds;
+    }
+    find(inputs, search, workers, positions);
+    roundsInVain = found_.size() < fewest ? 0 : roundsInVain + 1;
+    fewest = std::min(fewest, found_.size());
+  }
+}
+
 /// Guards the whole motion at once.
 PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, PairSearch& search, Workers& workers,
                                          std::span<Vec3> positions) {
   guarded_.clear();
   keys_.clear();
-  for (int round = 0; find(inputs, search, workers, positions) && round < sweepRounds; ++round) {
-    for (int sweep = 0; sweep < sweepsOfRound; ++sweep) {
-      moveApart(inputs, positions);
-    }
-  }
+  const double correction = largestCorrection(inputs.start, positions, inputs.thickness);
+  sweep(inputs, {sweepRounds, correction}, search, workers, positions);
   if (found_.empty()) {
     return {.touching = touching_, .insideBodies = violatedPlanes(inputs, positions)};
   }
   wanted_.assign(positions.begin(), positions.end());
-  bounds_.assign(positions.size(), std::numeric_limits<double>::infinity());
+  bounds_.resize(positions.size());
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    bounds_[v] = (wanted_[v] - inputs.fallback[v]).norm() + correction;
+  }
   planes_.assign(inputs.bodyPlanes.begin(), inputs.bodyPlanes.end());
   const auto fallbackOf = [&](int, int vertex) { return inputs.fallback[vertex]; };
   std::size_t planned = 0;
-  for (int round = 0; round < maxPlaneRounds && !found_.empty() && planned < guarded_.size(); ++round) {
+  for (int round = 0; round < maxPlaneRounds && mayTryOn() && planned < guarded_.size(); ++round) {
     addPlanes(inputs, planned);
     planned = guarded_.size();
     std::copy(wanted_.begin(), wanted_.end(), positions.begin());
@@ -227,7 +259,7 @@ PairGuard::Result PairGuard::applyInParts(const Inputs& inputs, int parts, PairS
     part.fallback = partFallback_;
     part.bodyPlanes = partPlanes_;
     Result ofPart = applyAtOnce(part, maxSweepRoundsOfPart, search, workers, positions);
-    if (ofPart.crossings > 0 && parts == partsOfMotion.back()) {
+    if (ofPart.crossings > 0 && (parts == partsOfMotion.back() || !mayTryOn())) {
       ofPart = stop(part, search, workers, positions);
     }
     result.crossings += ofPart.crossings;
@@ -246,6 +278,7 @@ PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Wor
        ++parts) {
     result = applyInParts(inputs, *parts, search, workers, positions);
   }
+
   return result;
 }
 

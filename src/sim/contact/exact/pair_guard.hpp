@@ -46,7 +46,10 @@ class PairGuard {
     int insideBodies = 0;  ///< planes of bodies that are violated at the end
   };
 
-  /// Changes `positions`, the end of the step.
+  /// Begins a step, in which `apply` can be called several times.
+  void begin() { searches_ = 0; }
+
+  /// Changes `positions`, the end of the step. After many searches in a step it does not try on to keep pairs apart.
   Result apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
 
  private:
@@ -56,23 +59,34 @@ class PairGuard {
     std::uint64_t key = 0;
   };
 
+  /// Of the guard of one motion.
+  struct Limits {
+    int sweepRounds = 0;
+    double correction = 0.0;  ///< of a vertex [m]
+  };
+
+  void sweep(const Inputs& inputs, const Limits& limits, PairSearch& search, Workers& workers,
+             std::span<Vec3> positions);
   Result applyAtOnce(const Inputs& inputs, int sweepRounds, PairSearch& search, Workers& workers,
                      std::span<Vec3> positions);
   Result applyInParts(const Inputs& inputs, int parts, PairSearch& search, Workers& workers, std::span<Vec3> positions);
   void findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers, std::span<const Vec3> positions);
   void guardFound();
+  [[nodiscard]] bool mayTryOn() const;
   bool find(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<const Vec3> positions);
   bool moveBackFound(const Inputs& inputs, std::span<const Vec3> target, std::span<Vec3> positions) const;
   Result stop(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
   void moveApart(const Inputs& inputs, std::span<Vec3> positions) const;
   void addPlanes(const Inputs& inputs, std::size_t first);
 
+  int searches_ = 0;            // in this step
   std::vector<Guarded> found_;  // pairs that are not separated now
   int touching_ = 0;
   std::vector<Guarded> guarded_;            // all pairs that were found in this step
   std::unordered_set<std::uint64_t> keys_;  // of these; never iterated over
   std::vector<SeparatingPlane> planes_;
-  std::vector<Vec3> wanted_;  // positions before planes [m]
+  std::vector<Vec3> unswept_;  // positions before sweeps [m]
+  std::vector<Vec3> wanted_;   // positions before planes [m]
   std::vector<double> bounds_;
   std::vector<Vec3> predicted_;                 // positions before the guard [m]
   std::vector<Vec3> partStart_, partFallback_;  // of a part of the motion [m]

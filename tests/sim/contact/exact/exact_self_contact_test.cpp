@@ -171,6 +171,28 @@ TEST(ExactSelfContact, addsEnergyToAGradedMeshForMomentsOnly) {
   EXPECT_LT(energyOf(scene.model(), scene.parameters, scene.state).total() - start, 0.2 * fall);
 }
 
+TEST(ExactSelfContact, recoversFromABodyThatLeavesNoRoom) {
+  ClothMesh mesh;
+  for (const double height : {0.02, 0.04, 0.06}) {
+    const Eigen::Quaterniond tilt(Eigen::AngleAxisd(2.0 * height, Vec3(0.6, 0.0, 0.8)));
+    testing::addSheet(9, 0.3, Vec3(height, height, 0.0), tilt, mesh);
+  }
+  Body press = testing::bodyAt(BoxShape{Vec3(0.3, 0.02, 0.3)}, Vec3::Zero());
+  press.motion.keyframes = {{0.0, Vec3(0.0, 0.15, 0.0), Vec3::Zero()},
+                            {0.3, Vec3(0.0, 0.02, 0.0), Vec3::Zero()},
+                            {0.4, Vec3(0.0, 0.02, 0.0), Vec3::Zero()},
+                            {0.7, Vec3(0.0, 0.3, 0.0), Vec3::Zero()}};
+  testing::ContactScene scene(buildClothModel(mesh, 0.05, MassLumping::Area, {}),
+                              {testing::bodyAt(PlaneShape{1.0}, Vec3::Zero()), press}, "auto");
+  scene.parameters.contact.self = SelfCollision::Exact;
+  int infeasible = 0;
+  scene.run(1.0, [&](const StepReport& report) { infeasible = std::max(infeasible, report.contact.infeasible); });
+  EXPECT_GT(infeasible, 0) << "the press left room";
+  EXPECT_EQ(scene.pairsWithItself(), 0U);
+  EXPECT_EQ(scene.pairs(0) + scene.pairs(1), 0);
+  EXPECT_LT(maxStretch(scene.model(), scene.state), 0.1);
+}
+
 TEST(ExactSelfContact, movesOnWithAStartThatIntersects) {
   // Every second column lies on the other side of the folded sheet, so that its halves intersect.
   testing::ContactScene scene = closingBook("auto", 0.0, 1.0 / 150.0);
