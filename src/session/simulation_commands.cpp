@@ -1,5 +1,6 @@
 #include "session/simulation.hpp"
 
+#include "intersection/intersections.hpp"
 #include "messages/sim_error_text.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/mass.hpp"
@@ -98,6 +99,7 @@ void Simulation::on(const ResetCommand&) {
 void Simulation::on(const UntangleCommand&) {
   constexpr double maxSeconds = 4.0;
   sim::Untangling untangling(model_, state_.positions, settings_.step);
+  untangling.openFlatLayers(intersection::intersectingPairs({state_.positions, model_->triangles}));
   while (!untangling.isDone() && untangling.time() < maxSeconds) {
     untangling.step();
     sim::checkStop(inputs_);

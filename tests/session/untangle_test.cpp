@@ -43,6 +43,19 @@ TEST(UntangleCommand, removesAllIntersectionsAndKeepsTheTime) {
   EXPECT_EQ(simulation.lastStepReport().contact.intersections, 0);
 }
 
+TEST(UntangleCommand, separatesASheetThatIsFoldedFlatOntoItself) {
+  auto scene = std::make_shared<scene::Scene>(
+      *testing::smallGrid(17, {"pins=none", "solver=auto", "gravity=0", "self_collision=exact"}));
+  for (Vec3& position : scene->start.positions) {
+    position.x() = std::abs(position.x());
+  }
+  Simulation simulation(scene);
+  ASSERT_GT(pairsIn(simulation), 100U);
+  simulation.apply(UntangleCommand{});
+  EXPECT_EQ(pairsIn(simulation), 0U);
+  EXPECT_EQ(simulation.message(), "");
+}
+
 TEST(UntangleCommand, isReplayedWithTheSameBits) {
   Simulation first(tangledSheet("exact"));
   first.step();

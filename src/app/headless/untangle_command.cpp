@@ -38,8 +38,9 @@ std::vector<Vec3> roundedToFile(std::vector<Vec3> positions) {
   return positions;
 }
 
-std::size_t intersectingPairsIn(const sim::ClothModel& model, const std::vector<Vec3>& positions) {
-  return intersection::intersectingPairs({roundedToFile(positions), model.triangles}).size();
+std::vector<intersection::TrianglePair> intersectingPairsIn(const sim::ClothModel& model,
+                                                            const std::vector<Vec3>& positions) {
+  return intersection::intersectingPairs({roundedToFile(positions), model.triangles});
 }
 
 /// "12 pairs of triangles".
@@ -55,7 +56,7 @@ std::size_t untangle(sim::Untangling& untangling, const sim::ClothModel& model, 
   while (pairs > 0 && untangling.time() < maxSeconds) {
     untangling.step();
     if (untangling.isDone() || untangling.time() + sim::Untangling::stepSeconds > maxSeconds) {
-      pairs = intersectingPairsIn(model, untangling.positions());
+      pairs = intersectingPairsIn(model, untangling.positions()).size();
     }
     progress.show(fmt::format("untangling {}", pairsText(before)), untangling.time(), maxSeconds);
   }
@@ -89,8 +90,10 @@ void run(const UntangleArguments& arguments) {
   UsedFiles(*scene).write(arguments.output, "the output");
   OutputFile file(arguments.output, "the mesh");
   const auto free = withPins(*scene->model, std::vector<bool>(start.size(), false));
-  const std::size_t before = intersectingPairsIn(*free, start);
+  const std::vector<intersection::TrianglePair> pairs = intersectingPairsIn(*free, start);
+  const std::size_t before = pairs.size();
   sim::Untangling untangling(withSprings(*free), start, scene->settings.step);
+  untangling.openFlatLayers(pairs);
   const std::size_t after = untangle(untangling, *free, before, arguments.maxSeconds);
   file.writeText(io::objText(untangling.positions(), scene->renderMesh, "Untangled by Drape; metres, y is up"));
   if (after > 0) {

@@ -1,5 +1,7 @@
 #include "sim/stepping/untangling.hpp"
 
+#include "sim/stepping/flat_layers.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -14,6 +16,10 @@ Untangling::Untangling(std::shared_ptr<const ClothModel> model, std::vector<Vec3
   parameters_.threads = parameters.threads;
   parameters_.timeStep = stepSeconds;
   parameters_.gravity = 0.0;
+}
+
+void Untangling::openFlatLayers(std::span<const intersection::TrianglePair> pairs) {
+  sim::openFlatLayers(*model_, pairs, parameters_.contact.thickness, state_.positions);
 }
 
 void Untangling::step() {

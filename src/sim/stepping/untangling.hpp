@@ -1,9 +1,11 @@
 #pragma once
 
+#include "intersection/intersections.hpp"
 #include "sim/solvers/step_parameters.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace drape::sim {
@@ -15,6 +17,10 @@ class Untangling {
   /// @param model whose pins stay where they are  @param positions at the start [m]
   /// @param parameters material and contact; all others are ignored except `threads`
   Untangling(std::shared_ptr<const ClothModel> model, std::vector<Vec3> positions, const StepParameters& parameters);
+
+  /// Moves layers in one plane apart (openFlatLayers). Call it before the first step.
+  /// @param pairs two intersecting triangles each
+  void openFlatLayers(std::span<const intersection::TrianglePair> pairs);
 
   /// Moves the cloth by one step of `stepSeconds`.
   void step();
