@@ -19,8 +19,17 @@ std::size_t strideOf(std::size_t count, std::size_t maxCount) {
   return std::max<std::size_t>(1, (count + maxCount - 1) / maxCount);
 }
 
-/// The lowest height that the hanging cloth can reach [m]. A vertex is at most as far from a pin as the cloth between
-/// them is long; the straight distance approximates that length.
+double heightBelow(std::span<const Vec3> start, std::span<const int> pins) {
+  const Eigen::AlignedBox3d box = sim::boundsOf(start);
+  const double extent = box.sizes().maxCoeff();
+  const double below = box.min().y() - shareBelow * extent;
+  return pins.empty() ? below : std::min(below, lowestHang(start, pins) - shareStretch * extent);
+}
+
+}  // namespace
+
+// A vertex is at most as far from a pin as the cloth between them is long. The straight distance approximates that
+// length.
 double lowestHang(std::span<const Vec3> start, std::span<const int> pins) {
   double lowest = std::numeric_limits<double>::infinity();
   const std::size_t nextVertex = strideOf(start.size(), maxVertices);
@@ -35,15 +44,6 @@ double lowestHang(std::span<const Vec3> start, std::span<const int> pins) {
   }
   return lowest;
 }
-
-double heightBelow(std::span<const Vec3> start, std::span<const int> pins) {
-  const Eigen::AlignedBox3d box = sim::boundsOf(start);
-  const double extent = box.sizes().maxCoeff();
-  const double below = box.min().y() - shareBelow * extent;
-  return pins.empty() ? below : std::min(below, lowestHang(start, pins) - shareStretch * extent);
-}
-
-}  // namespace
 
 sim::contact::Body groundBody() {
   sim::contact::Body ground;

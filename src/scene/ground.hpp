@@ -12,4 +12,8 @@ namespace drape::scene {
 [[nodiscard]] double groundHeightOf(const SceneDescription& description, std::span<const Vec3> start,
                                     std::span<const int> pins);
 
+/// The lowest height that cloth at its pins can reach without stretching [m]. Without pins -infinity.
+/// @param start positions at the start [m], one per vertex  @param pins indices into it
+[[nodiscard]] double lowestHang(std::span<const Vec3> start, std::span<const int> pins);
+
 }  // namespace drape::scene

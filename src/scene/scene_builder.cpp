@@ -1,12 +1,11 @@
 #include "io/mesh_summary.hpp"
 #include "scene/body_builder.hpp"
 #include "scene/cloth_builder.hpp"
-#include "scene/framing.hpp"
 #include "scene/ground.hpp"
 #include "scene/pin_advice.hpp"
 #include "scene/scene.hpp"
 #include "scene/seam_builder.hpp"
-#include "sim/model/bounds.hpp"
+#include "scene/usual_view.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -14,39 +13,6 @@
 #include <utility>
 
 namespace drape::scene {
-namespace {
-
-/// Extends a box by the meshes of bodies at their start.
-void extend(Eigen::AlignedBox3d& box, const std::vector<sim::contact::Body>& bodies) {
-  for (const sim::contact::Body& body : bodies) {
-    const auto* mesh = std::get_if<std::shared_ptr<const sim::contact::MeshShape>>(&body.shape);
-    if (mesh == nullptr) {
-      continue;
-    }
-    const sim::contact::Pose pose = sim::contact::poseAt(body.motion, 0.0);
-    for (const Vec3& position : (*mesh)->positions) {
-      box.extend(pose.toWorld(position));
-    }
-  }
-}
-
-/// The camera of the description, or one that shows the cloth at its start; with the bodies if they are to wear it,
-/// since it is put on them afterwards.
-CameraPose cameraFor(const SceneDescription& description, const std::vector<Vec3>& start,
-                     const std::vector<sim::contact::Body>& bodies) {
-  constexpr double usualAspect = 16.0 / 9.0;
-  constexpr double boxScale = 1.15;  // margin, since cloth sags and swings beyond its start box
-  Eigen::AlignedBox3d box = sim::boundsOf(start);
-  if (description.parts.dressed) {
-    extend(box, bodies);
-  }
-  const Vec3 middle = 0.5 * (box.min() + box.max());
-  return description.camera.value_or(framed({Vec3(0.35, 0.2, 1.0), Vec3::Zero(), CameraPose{}.viewAngle},
-                                            middle + boxScale * (box.min() - middle),
-                                            middle + boxScale * (box.max() - middle), usualAspect));
-}
-
-}  // namespace
 
 std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const settings::Settings& settings,
                                         const io::ImportWatch& watch) {
@@ -87,7 +53,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
       scene->pinPaths.push_back(pathOf(group.vertices, *group.motion, scene->start.positions));
     }
   }
-  scene->camera = cameraFor(description, scene->start.positions, *built.bodies);
+  scene->camera = usualView({description, scene->start.positions, pins, *built.bodies, scene->groundHeight});
   scene->bodies = std::move(built.bodies);
   scene->clips = std::move(built.clips);
   return scene;
