@@ -59,7 +59,9 @@ void warnAboutTopology(MeshUse use, MeshSummary& summary) {
   }
   if (summary.misorientedEdges > 0) {
     summary.warnings.push_back("Across " + counted(summary.misorientedEdges, "edge", "edges") +
-                               " the faces point to opposite sides: shading and wind may look wrong there.");
+                               " the faces point to opposite sides: " +
+                               (use == MeshUse::Body ? "the mesh counts as open, so cloth inside it stays there."
+                                                     : "shading and wind may look wrong there."));
   }
   if (use == MeshUse::Cloth && summary.components > 1) {
     summary.warnings.push_back("It has " + std::to_string(summary.components) + std::string(piecesNeedPins));

@@ -463,7 +463,9 @@ ImportedMesh weldMesh(const RawMesh& source, std::string_view nameView, const Im
   options.watch.tell(0.5, "Joining vertices");
   Faces faces = cleanFaces(raw, weld, scale.flat(), mesh.summary);
   requireMostFaces(raw, mesh.summary);
-  repairShortEdges(shortestEdge * scale.medianEdge, weld, faces, mesh.summary);
+  if (options.use == MeshUse::Cloth) {  // a body has no edges that need short time steps
+    repairShortEdges(shortestEdge * scale.medianEdge, weld, faces, mesh.summary);
+  }
   dropIsolated(weld, faces, mesh.summary);
   mesh.summary.isolatedVertices += raw.unusedVertices - mesh.summary.outliers - mesh.summary.shortEdges;
   for (Vec3& position : weld.positions) {

@@ -48,6 +48,9 @@ TEST(MeshSummary, warnsOfMeshesThatDoNotHangTogetherWell) {
   EXPECT_TRUE(warns(mesh, "more than two faces"));
   EXPECT_TRUE(warns(mesh, "opposite sides"));
   EXPECT_TRUE(warns(mesh, "2 separate pieces"));
+  ImportOptions ofBody;
+  ofBody.use = MeshUse::Body;
+  EXPECT_TRUE(warns(weldMesh(raw, "mesh.obj", ofBody), "opposite sides: the mesh counts as open"));
 }
 
 TEST(MeshSummary, warnsOfSliversWithTheirPlace) {
@@ -73,6 +76,24 @@ TEST(MeshSummary, warnsOfSliversWithTheirPlace) {
   EXPECT_EQ(mesh.summary.boundaryLoops, 1);
   EXPECT_TRUE(warns(mesh, "1 edge was less than a thousandth"));
   EXPECT_TRUE(warns(mesh, "at (20, 10, 0) in the file"));
+}
+
+TEST(MeshSummary, doesNotRepairTheThinPlateOfABody) {
+  RawMesh raw;
+  for (const double z : {0.0, 0.0002}) {
+    raw.positions.insert(raw.positions.end(), {{0, 0, z}, {0.4, 0, z}, {0.4, 0.3, z}, {0, 0.3, z}});
+  }
+  for (int side = 0; side < 4; ++side) {
+    const int next = (side + 1) % 4;
+    raw.triangles.insert(raw.triangles.end(), {{side, next, next + 4}, {side, next + 4, side + 4}});
+  }
+  raw.triangles.insert(raw.triangles.end(), {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}});
+  ImportOptions options;
+  options.use = MeshUse::Body;
+  const ImportedMesh mesh = weldMesh(raw, "plate.obj", options);
+  EXPECT_EQ(mesh.summary.vertices, 8);
+  EXPECT_EQ(mesh.summary.triangles, 12);
+  EXPECT_TRUE(mesh.summary.warnings.empty());
 }
 
 TEST(MeshSummary, doesNotWarnABodyOfItsSizeOrItsPieces) {
