@@ -4,6 +4,7 @@
 #include "session/solver_warning.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/fabric.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/measures/hanging_load.hpp"
 #include "text/number_text.hpp"
 
@@ -25,6 +26,8 @@ constexpr double wantedStrain = 0.1;    // target of the advice [-]
 constexpr double heaviestFabric = 2.0;  // leather, carpets [kg/m^2]
 constexpr double usualFabric = 0.2;     // [kg/m^2]
 constexpr double sliverRatio = 0.02;    // share of the median edge length
+constexpr double pinsApart = 1.5;       // ratio of the extents of moved pins that explains the rest [-]
+constexpr double calmMotion = 0.1;      // kinetic energy of cloth that is held, relative to the elastic energy [-]
 
 std::string place(const Vec3& point) {
   return fmt::format("({:.3f}, {:.3f}, {:.3f}) m", point.x(), point.y(), point.z());
@@ -48,6 +51,26 @@ bool onlyPinsStretch(const sim::ClothModel& model, const sim::ClothState& state)
   return !springs.empty() && std::ranges::all_of(springs, [&](std::size_t i) {
     return model.pinned[model.springs[i].a] || model.pinned[model.springs[i].b];
   });
+}
+
+/// How much larger the extents of the pins are than at rest [-]; 1 with fewer than two pins.
+double pinExtension(const sim::ClothModel& model, const sim::ClothState& state) {
+  Eigen::AlignedBox3d now;
+  Eigen::AlignedBox3d rest;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    if (model.pinned[v]) {
+      now.extend(state.positions[v]);
+      rest.extend(model.restPositions[v]);
+    }
+  }
+  const bool isExtended = !rest.isEmpty() && rest.diagonal().norm() > 0.0;
+  return isExtended ? now.diagonal().norm() / rest.diagonal().norm() : 1.0;
+}
+
+/// Whether the cloth hardly moves, so that external forces hold its strain.
+bool isHeld(const settings::Settings& settings, const sim::ClothModel& model, const sim::ClothState& state) {
+  const sim::Energy energy = sim::energyOf(model, settings.step, state);
+  return energy.kinetic < calmMotion * energy.elastic;
 }
 
 double medianLength(const sim::ClothModel& model) {
@@ -163,15 +186,24 @@ std::optional<StretchDiagnosis> findPattern(const settings::Settings& settings, 
        "fabric.rest_shape", "mesh", Sentence("Use the mesh")}};
 }
 
-StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::ClothModel& model) {
-  const bool chooses = settings.solver.name == "auto";
-  const scene::Advice toAuto{{}, "solver", "auto", Sentence("Use auto")};
-  if (const Sentence warning = solverWarning(settings, model); !chooses && !warning.empty()) {
-    StretchDiagnosis found{StretchCause::TimeStep, toAuto};
-    found.advice.text = Sentence("The time step is too long for the solver {}: {}", settings.solver.name, warning);
-    return found;
+scene::Advice useAuto() {
+  return {{}, "solver", "auto", Sentence("Use auto")};
+}
+
+/// A diagnosis when the time step is too long for the solver.
+std::optional<StretchDiagnosis> findTimeStep(const settings::Settings& settings, const sim::ClothModel& model) {
+  const Sentence warning = solverWarning(settings, model);
+  if (settings.solver.name == "auto" || warning.empty()) {
+    return std::nullopt;
   }
-  StretchDiagnosis found{StretchCause::Solver, chooses ? scene::Advice{} : toAuto};
+  StretchDiagnosis found{StretchCause::TimeStep, useAuto()};
+  found.advice.text = Sentence("The time step is too long for the solver {}: {}", settings.solver.name, warning);
+  return found;
+}
+
+StretchDiagnosis explainBySolver(const settings::Settings& settings) {
+  const bool chooses = settings.solver.name == "auto";
+  StretchDiagnosis found{StretchCause::Solver, chooses ? scene::Advice{} : useAuto()};
   found.advice.text = Sentence(
       chooses ? "Overstretched: edges are longer than three times their rest length. Neither the weight nor the mouse "
                 "causes this. The solver {} failed here; use a shorter time step, then reset."
@@ -179,6 +211,19 @@ StretchDiagnosis explainBySolver(const settings::Settings& settings, const sim::
                 "causes this. The solver {} failed here; use auto or a shorter time step, then reset.",
       settings.solver.name);
   return found;
+}
+
+StretchDiagnosis explainByHolding(const sim::ClothModel& model) {
+  return {
+      StretchCause::Held,
+      {Sentence(model.fabric
+                    ? "Bodies or the weight stretch the cloth: edges are longer than three times their rest length, "
+                      "and the cloth hardly moves. Choose a stiffer fabric, or let bodies pull less far."
+                    : "Bodies or the weight stretch the cloth: edges are longer than three times their rest length, "
+                      "and the cloth hardly moves. Raise the stiffness, or let bodies pull less far."),
+       "",
+       "",
+       {}}};
 }
 
 }  // namespace
@@ -205,6 +250,9 @@ StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Sett
              "",
              {}}};
   }
+  if (auto timeStep = findTimeStep(settings, model)) {
+    return *std::move(timeStep);
+  }
   if (onlyPinsStretch(model, state)) {
     return {
         StretchCause::Attachment,
@@ -214,7 +262,18 @@ StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Sett
          "",
          {}}};
   }
-  return explainBySolver(settings, model);
+  if (const double ratio = pinExtension(model, state); ratio > pinsApart) {
+    return {StretchCause::Attachment,
+            {Sentence("Pins stretch the cloth: they are {} times as far apart as at rest. Move them closer together.",
+                      text::roundedFigure(ratio)),
+             "",
+             "",
+             {}}};
+  }
+  if (isHeld(settings, model, state)) {
+    return explainByHolding(model);
+  }
+  return explainBySolver(settings);
 }
 
 }  // namespace drape::session

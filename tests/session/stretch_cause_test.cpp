@@ -35,6 +35,18 @@ StretchDiagnosis causeFor(const std::vector<std::string>& settings, double secon
   return outcome.snapshot.overstretched.value_or(StretchDiagnosis{});
 }
 
+/// Free vertices four times as far from the origin as at the start, and moving, as a solver that fails leaves them.
+sim::ClothState thrownApart(const scene::Scene& scene) {
+  sim::ClothState state = scene.start;
+  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+    if (!scene.model->pinned[v]) {
+      state.positions[v] *= 4.0;
+      state.velocities[v] = 1e6 * state.positions[v];
+    }
+  }
+  return state;
+}
+
 TEST(StretchCause, ClothThatHangsAsItShouldHasNone) {
   const Outcome outcome = simulated(testing::smallGrid(9, {"solver=auto", "stiffness=200"}), 0.5);
   EXPECT_FALSE(outcome.snapshot.overstretched.has_value());
@@ -77,10 +89,7 @@ TEST(StretchCause, TheStretchThatTheWeightImpliesIsNearTheOneThatComesOut) {
 
 TEST(StretchCause, AStepAboveTheLimitOfTheSolverIsNamed) {
   const auto scene = testing::smallGrid(9, {"solver=xpbd", "iterations=1", "stiffness=1e5", "time_step=0.02"});
-  sim::ClothState pulled = scene->start;
-  for (Vec3& position : pulled.positions) {
-    position *= 4.0;
-  }
+  const sim::ClothState pulled = thrownApart(*scene);
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(found.cause, StretchCause::TimeStep);
   EXPECT_NE(found.advice.text.english().find("The time step is too long for the solver xpbd"), std::string::npos);
@@ -89,10 +98,7 @@ TEST(StretchCause, AStepAboveTheLimitOfTheSolverIsNamed) {
 
 TEST(StretchCause, OnlyAFailedSolverIsCalledOverstretched) {
   const auto scene = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
-  sim::ClothState pulled = scene->start;
-  for (Vec3& position : pulled.positions) {
-    position *= 4.0;
-  }
+  const sim::ClothState pulled = thrownApart(*scene);
   const StretchDiagnosis failed = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(failed.cause, StretchCause::Solver);
   EXPECT_TRUE(failed.advice.text.english().starts_with("Overstretched")) << failed.advice.text;
@@ -106,10 +112,7 @@ TEST(StretchCause, AdviceForAFabricDoesNotNameSprings) {
     const std::string is = std::string("=") + modulus;
     const auto scene = testing::smallGrid(9, {"solver=auto", "material.model=fabric", "fabric.stretch_warp" + is,
                                               "fabric.stretch_weft" + is, "stiffness=0.5", "damping=1"});
-    sim::ClothState pulled = scene->start;
-    for (Vec3& position : pulled.positions) {
-      position *= 4.0;
-    }
+    const sim::ClothState pulled = thrownApart(*scene);
     const bool soft = is == "=1";
     for (const bool byMouse : {false, true}) {
       const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, byMouse);
@@ -133,10 +136,7 @@ TEST(StretchCause, APatternThatDoesNotFitIsNamed) {
     settings::Settings settings = description.settings;
     settings.fabric.uvScale = factor * scale;
     const auto scene = scene::buildScene(description, settings);
-    sim::ClothState pulled = scene->start;
-    for (Vec3& position : pulled.positions) {
-      position *= 4.0;
-    }
+    const sim::ClothState pulled = thrownApart(*scene);
     return diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   };
   const StretchDiagnosis found = causeAt(0.3);
@@ -173,14 +173,31 @@ TEST(StretchCause, AWrongUnitIsNamed) {
   scene->reading = scene::MeshReading{};
   scene->summary.size = {75.0, 0.0, 75.0};
   scene->model = sim::withMass(*grid->model, 0.15 * 75.0 * 75.0, sim::MassLumping::Area);
-  sim::ClothState pulled = scene->start;
-  for (Vec3& position : pulled.positions) {
-    position *= 4.0;
-  }
+  const sim::ClothState pulled = thrownApart(*scene);
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, pulled, false);
   EXPECT_EQ(found.cause, StretchCause::Unit);
   EXPECT_NE(found.advice.text.english().find("probably in centimetres"), std::string::npos) << found.advice.text;
   EXPECT_EQ(found.advice.key + "=" + found.advice.value, "unit=cm");
+}
+
+TEST(StretchCause, PinsThatMoveApartAreNamed) {
+  const auto scene = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
+  sim::ClothState apart = thrownApart(*scene);
+  for (std::size_t v = 0; v < apart.positions.size(); ++v) {
+    apart.positions[v] = 4.0 * scene->start.positions[v];
+  }
+  const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, apart, false);
+  EXPECT_EQ(found.cause, StretchCause::Attachment);
+  EXPECT_TRUE(found.advice.text.english().starts_with("Pins stretch the cloth: they are 4 times")) << found.advice.text;
+}
+
+TEST(StretchCause, StretchedClothThatHardlyMovesDoesNotBlameTheSolver) {
+  const auto scene = testing::smallGrid(9, {"solver=auto", "stiffness=500"});
+  sim::ClothState still = thrownApart(*scene);
+  std::ranges::fill(still.velocities, Vec3::Zero());
+  const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, still, false);
+  EXPECT_EQ(found.cause, StretchCause::Held);
+  EXPECT_TRUE(found.advice.text.english().starts_with("Bodies or the weight stretch the cloth")) << found.advice.text;
 }
 
 TEST(StretchCause, PinsThatWereMovedAreNamed) {
