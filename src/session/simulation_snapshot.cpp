@@ -1,3 +1,4 @@
+#include "session/open_seams.hpp"
 #include "session/simulation.hpp"
 
 namespace drape::session {
@@ -30,6 +31,9 @@ void Simulation::capture(Snapshot& snapshot) const {
     if (snapshot.message.empty()) {
       snapshot.message = snapshot.overstretched->advice.text;
     }
+  }
+  if (snapshot.message.empty()) {
+    snapshot.message = lateSeamsInWords(cloth_.openSeams(), state_);
   }
   if (!ghost_) {
     snapshot.ghost.reset();
