@@ -152,6 +152,10 @@ void warn(const session::Simulation& simulation) {
     const scene::Advice& advice = end.overstretched->advice;
     std::cerr << "note: --set " << advice.key << '=' << advice.value << " would help\n";
   }
+  if (const int pairs = end.stepReport.contact.intersections; pairs > 0) {
+    std::cerr << "warning: in the last step, " << pairs << (pairs == 1 ? " pair" : " pairs")
+              << " of triangles of the cloth still intersected\n";
+  }
 }
 
 /// The figures, positions and checks of a run, one step after the other.

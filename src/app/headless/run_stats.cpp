@@ -151,14 +151,16 @@ void RunStats::add(const session::Simulation& simulation) {
   deepestOverlap_ = std::max(deepestOverlap_, contact.deepestOverlap);
   maxInfeasible_ = std::max(maxInfeasible_, contact.infeasible);
   maxCrossings_ = std::max(maxCrossings_, contact.crossings);
+  maxIntersections_ = std::max(maxIntersections_, contact.intersections);
 }
 
 nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& last) const {
-  return {{"bodies_us", quantiles(bodySeconds_)}, {"self_us", quantiles(selfSeconds_)},
-          {"body_contacts", last.bodyContacts},   {"self_contacts", last.selfContacts},
-          {"overlaps_max", maxOverlaps_},         {"overlaps_final", last.overlaps},
-          {"deepest_overlap", deepestOverlap_},   {"infeasible_max", maxInfeasible_},
-          {"crossings_max", maxCrossings_},       {"crossings_final", last.crossings}};
+  return {{"bodies_us", quantiles(bodySeconds_)},   {"self_us", quantiles(selfSeconds_)},
+          {"body_contacts", last.bodyContacts},     {"self_contacts", last.selfContacts},
+          {"overlaps_max", maxOverlaps_},           {"overlaps_final", last.overlaps},
+          {"deepest_overlap", deepestOverlap_},     {"infeasible_max", maxInfeasible_},
+          {"crossings_max", maxCrossings_},         {"crossings_final", last.crossings},
+          {"intersections_max", maxIntersections_}, {"intersections_final", last.intersections}};
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const session::Simulation& simulation) const {

@@ -38,6 +38,7 @@ class RunStats {
   double deepestOverlap_ = 0.0;  // [m]
   int maxInfeasible_ = 0;
   int maxCrossings_ = 0;
+  int maxIntersections_ = 0;
   std::vector<float> forceEvaluations_;
   int retriedSteps_ = 0;
   int fallbackSteps_ = 0;
