@@ -270,7 +270,8 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
     beforeGuard_.velocities = state.velocities;
     guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact},
                        nearBodies ? inputs.bodies : nullptr, state, report);
-    if (state.positions != beforeGuard_.positions) {
+    // Recovery needs the energy with which the guard moves crossing parts.
+    if (report.intersections == 0 && state.positions != beforeGuard_.positions) {
       report.guardWork = energyOf(model, parameters, state).total() - energyOf(model, parameters, beforeGuard_).total();
     }
     report.selfSeconds += secondsSince(begin);

@@ -26,6 +26,22 @@ constexpr int impulseIterations = 10;
 /// If patches became invalid in more rounds of the guard, all pairs are checked.
 constexpr int maxPatchRounds = 3;
 
+/// Whether so many parts of a strained cloth cross each other that nothing tells which side is wrong, as where noise
+/// was added to its positions. Springs then smooth the cloth within a few steps. Moving crossing parts apart would keep
+/// it crumpled.
+bool isCrumpled(const ClothModel& model, std::size_t crossings, std::span<const Vec3> positions) {
+  constexpr double crossingsPerTriangle = 0.5;
+  constexpr double meanStrain = 0.2;
+  if (static_cast<double>(crossings) < crossingsPerTriangle * static_cast<double>(model.triangles.size())) {
+    return false;
+  }
+  double sum = 0.0;
+  for (const Spring& spring : model.springs) {
+    sum += std::abs((positions[spring.b] - positions[spring.a]).norm() / spring.restLength - 1.0);
+  }
+  return sum > meanStrain * static_cast<double>(model.springs.size());
+}
+
 /// The coordinate of a contact along its normal [m].
 double alongNormal(const SubstepContact& contact, const std::vector<Vec3>& positions) {
   Vec3 offset = Vec3::Zero();
@@ -148,15 +164,17 @@ void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) 
   }
   before_ = state.positions;
   solver_.solve(constraints_, goals_, inverseMass(step.model), impulseIterations, state.positions);
-  limitCorrections(largestCorrection(step.start, before_, step.contact.thickness), before_, state.positions);
+  if (pinSpeed(step, before_) > 0.0) {
+    limitCorrections(largestCorrection(step.start, before_, step.contact.thickness), before_, state.positions);
+  }
 }
 
 /// The speed of the fastest pin in the step [m/s].
-double ExactSelfContact::pinSpeed(const ExactStep& step, const ClothState& state) {
+double ExactSelfContact::pinSpeed(const ExactStep& step, std::span<const Vec3> end) {
   double squared = 0.0;
-  for (std::size_t v = 0; v < state.positions.size(); ++v) {
+  for (std::size_t v = 0; v < end.size(); ++v) {
     if (inverseMass(step.model)[v] == 0.0) {
-      squared = std::max(squared, (state.positions[v] - step.start[v]).squaredNorm());
+      squared = std::max(squared, (end[v] - step.start[v]).squaredNorm());
     }
   }
   return std::sqrt(squared) / step.parameters.timeStep;
@@ -177,7 +195,7 @@ int ExactSelfContact::solveVelocities(const ExactStep& step, ClothState& state, 
   }
   before_ = state.velocities;
   solver_.solve(active_, goals_, inverseMass(step.model), impulseIterations, state.velocities);
-  limitSpeeds(inverseMass(step.model), pinSpeed(step, state), before_, state.velocities);
+  limitSpeeds(inverseMass(step.model), pinSpeed(step, state.positions), before_, state.velocities);
   return static_cast<int>(active_.size());
 }
 
@@ -190,7 +208,7 @@ int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vec
     solvePositions(step, state);
     active = solveVelocities(step, state, points);
   }
-  if (!crossings_.empty()) {
+  if (!crossings_.empty() && !isCrumpled(step.model, crossings_.size(), step.start)) {
     recover(step, state);
   }
   return active;
@@ -244,6 +262,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
   const bool nearBodies = !bodies.fallback.empty();
   const Vec3 common = nearBodies ? Vec3(Vec3::Zero()) : meanDisplacement(step.start, before_);
   const std::span<const Vec3> unmoved = nearBodies ? bodies.fallback : std::span<const Vec3>(step.start);
+  const bool bodiesMove = nearBodies && !std::ranges::equal(bodies.fallback, step.start);
   fallback_.resize(before_.size());
   for (std::size_t v = 0; v < before_.size(); ++v) {
     // The guard does not move pins.
@@ -263,6 +282,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
                                               .patches = nullptr,
                                               .thickness = step.contact.thickness,
                                               .reach = reachRatio * step.contact.thickness,
+                                              .obstaclesMove = bodiesMove || pinSpeed(step, before_) > 0.0,
                                               .threads = step.parameters.threads},
                                              state.positions, memory->patches);
   const Vec3 commonVelocity = common / step.parameters.timeStep;

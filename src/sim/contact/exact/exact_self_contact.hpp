@@ -79,7 +79,7 @@ class ExactSelfContact {
                     std::vector<SubstepContact>& found);
   void findContactsAtEnd(const ExactStep& step, const std::vector<Vec3>& predicted);
   void solvePositions(const ExactStep& step, ClothState& state);
-  [[nodiscard]] double pinSpeed(const ExactStep& step, const ClothState& state);
+  [[nodiscard]] double pinSpeed(const ExactStep& step, std::span<const Vec3> end);
   int solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
   void recover(const ExactStep& step, ClothState& state);
   void findEntangledAt(const ExactStep& step);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace drape::sim::contact {
 namespace {
@@ -185,7 +186,8 @@ PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, 
                                          std::span<Vec3> positions) {
   guarded_.clear();
   keys_.clear();
-  const double correction = largestCorrection(inputs.start, positions, inputs.thickness);
+  const double correction = inputs.obstaclesMove ? largestCorrection(inputs.start, positions, inputs.thickness)
+                                                 : std::numeric_limits<double>::infinity();
   sweep(inputs, {sweepRounds, correction}, search, workers, positions);
   if (found_.empty()) {
     return {.touching = touching_, .insideBodies = violatedPlanes(inputs, positions)};

@@ -36,6 +36,7 @@ class PairGuard {
     SharedFeaturePatches patches;                 ///< pairs of one patch are not checked; null: all pairs are
     double thickness = 0.0;                       ///< of the cloth [m]
     double reach = 0.0;                           ///< of a new search [m]
+    bool obstaclesMove = false;                   ///< pins, or bodies near the cloth
     int threads = 1;
   };
 
