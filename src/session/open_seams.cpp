@@ -14,7 +14,7 @@ constexpr double mmPerMetre = 1000.0;
 
 text::Sentence lateSeamsInWords(std::span<const sim::Seam> open, const sim::ClothState& state) {
   long long late = 0;
-  double farthest = 0.0;
+  double maxDistance = 0.0;
   Vec3 place = Vec3::Zero();
   for (const sim::Seam& seam : open) {
     if (seam.pairs.empty() || state.time < seam.start + lateAfter * seam.duration) {
@@ -23,8 +23,8 @@ text::Sentence lateSeamsInWords(std::span<const sim::Seam> open, const sim::Clot
     ++late;
     for (const sim::SeamPair& pair : seam.pairs) {
       const double distance = (state.positions[pair.b] - state.positions[pair.a]).norm();
-      if (distance > farthest) {
-        farthest = distance;
+      if (distance > maxDistance) {
+        maxDistance = distance;
         place = 0.5 * (state.positions[pair.a] + state.positions[pair.b]);
       }
     }
@@ -38,7 +38,7 @@ text::Sentence lateSeamsInWords(std::span<const sim::Seam> open, const sim::Clot
                    "cloth that is too tight, keeps them apart.",
                    "{} seams are still open: their sides are up to {} mm apart, near ({}) m. Something between them, "
                    "or cloth that is too tight, keeps them apart."),
-      late, text::roundedFigure(mmPerMetre * farthest),
+      late, text::roundedFigure(mmPerMetre * maxDistance),
       fmt::format("{:.2f}, {:.2f}, {:.2f}", place.x(), place.y(), place.z()));
 }
 

@@ -8,7 +8,7 @@
 
 namespace drape::session {
 
-/// Says how many seams should be closed by now but are open, and where the farthest pair of them is. Empty if none is
+/// Says how many seams should be closed by now but are open, and where the widest pair of them is. Empty if none is
 /// late. A seam is late after twice its duration.
 /// @param open the seams that are not welded
 [[nodiscard]] text::Sentence lateSeamsInWords(std::span<const sim::Seam> open, const sim::ClothState& state);

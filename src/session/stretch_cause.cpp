@@ -68,7 +68,7 @@ double pinExtension(const sim::ClothModel& model, const sim::ClothState& state) 
 }
 
 /// Whether the cloth hardly moves, so that external forces hold its strain.
-bool isHeld(const settings::Settings& settings, const sim::ClothModel& model, const sim::ClothState& state) {
+bool isCalm(const settings::Settings& settings, const sim::ClothModel& model, const sim::ClothState& state) {
   const sim::Energy energy = sim::energyOf(model, settings.step, state);
   return energy.kinetic < calmMotion * energy.elastic;
 }
@@ -213,9 +213,9 @@ StretchDiagnosis explainBySolver(const settings::Settings& settings) {
   return found;
 }
 
-StretchDiagnosis explainByHolding(const sim::ClothModel& model) {
+StretchDiagnosis explainByForces(const sim::ClothModel& model) {
   return {
-      StretchCause::Held,
+      StretchCause::External,
       {Sentence(model.fabric
                     ? "Bodies or the weight stretch the cloth: edges are longer than three times their rest length, "
                       "and the cloth hardly moves. Choose a stiffer fabric, or let bodies pull less far."
@@ -270,8 +270,8 @@ StretchDiagnosis diagnoseStretch(const scene::Scene& scene, const settings::Sett
              "",
              {}}};
   }
-  if (isHeld(settings, model, state)) {
-    return explainByHolding(model);
+  if (isCalm(settings, model, state)) {
+    return explainByForces(model);
   }
   return explainBySolver(settings);
 }

@@ -14,7 +14,7 @@ enum class StretchCause {
   Heavy,       ///< heavier per square metre than any fabric
   Soft,        ///< the springs or the fabric are too soft for the weight
   Attachment,  ///< the mouse or pins pull
-  Held,        ///< bodies or the weight hold the cloth, which hardly moves
+  External,    ///< bodies or the weight hold the cloth, which hardly moves
   TimeStep,    ///< the step is longer than the solver's stability limit
   Solver,      ///< none of these: the solver failed
 };

@@ -24,7 +24,7 @@ bool shows(const CameraPose& pose, const Vec3& point) {
 }
 
 const std::string freeSheet = "[cloth]\ngrid = \"horizontal\"\nposition = [0, 2, 0]\n";
-const std::string heldSheet = freeSheet + "[pins]\nedges = [\"top\"]\n";
+const std::string pinnedSheet = freeSheet + "[pins]\nedges = [\"top\"]\n";
 
 TEST(UsualView, showsTheGroundOntoWhichAFreeSheetFalls) {
   const CameraPose pose = viewOf(freeSheet);
@@ -40,8 +40,8 @@ TEST(UsualView, showsTheCloserPartOfAVeryLongFall) {
   EXPECT_FALSE(shows(pose, {0.0, -20.0, 0.0}));
 }
 
-TEST(UsualView, showsHowFarAHeldSheetHangsDownAndNoMore) {
-  const CameraPose pose = viewOf(heldSheet);
+TEST(UsualView, showsHowFarAPinnedSheetHangsDownAndNoMore) {
+  const CameraPose pose = viewOf(pinnedSheet);
   EXPECT_TRUE(shows(pose, {0.0, 1.0, 0.0}));
   EXPECT_FALSE(shows(pose, {0.0, 0.0, 0.0}));
 }
@@ -54,10 +54,10 @@ TEST(UsualView, staysAtClothWithoutPinsAndGround) {
 
 TEST(UsualView, showsBodiesBesideTheClothButNotRooms) {
   const CameraPose besideBall =
-      viewOf(heldSheet + "[[bodies]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.3\nposition = [1.5, 2, 0]\n");
+      viewOf(pinnedSheet + "[[bodies]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.3\nposition = [1.5, 2, 0]\n");
   EXPECT_TRUE(shows(besideBall, {1.8, 2.0, 0.0}));
-  const CameraPose inRoom =
-      viewOf(heldSheet + "[[bodies]]\nname = \"wall\"\nshape = \"box\"\nsize = [20, 3, 0.1]\nposition = [0, 0, -3]\n");
+  const CameraPose inRoom = viewOf(
+      pinnedSheet + "[[bodies]]\nname = \"wall\"\nshape = \"box\"\nsize = [20, 3, 0.1]\nposition = [0, 0, -3]\n");
   EXPECT_FALSE(shows(inRoom, {9.0, 2.0, -3.0}));
 }
 

@@ -196,7 +196,7 @@ TEST(StretchCause, StretchedClothThatHardlyMovesDoesNotBlameTheSolver) {
   sim::ClothState still = thrownApart(*scene);
   std::ranges::fill(still.velocities, Vec3::Zero());
   const StretchDiagnosis found = diagnoseStretch(*scene, scene->settings, *scene->model, still, false);
-  EXPECT_EQ(found.cause, StretchCause::Held);
+  EXPECT_EQ(found.cause, StretchCause::External);
   EXPECT_TRUE(found.advice.text.english().starts_with("Bodies or the weight stretch the cloth")) << found.advice.text;
 }
 

@@ -134,8 +134,8 @@ TEST(MovingPins, ThatPassOtherPinsThroughTheClothAddLittleEnergyAndLeaveNoInters
   inputs.movedPins = &moved;
   Stepper stepper("auto");
   ClothState state = stateAtRest(model->restPositions);
-  std::size_t mostPairs = 0;
-  double mostEnergy = 0.0;
+  std::size_t maxPairs = 0;
+  double maxEnergy = 0.0;
   const auto pairs = [&]() {
     return drape::intersection::intersectingPairs({state.positions, model->triangles}).size();
   };
@@ -145,12 +145,12 @@ TEST(MovingPins, ThatPassOtherPinsThroughTheClothAddLittleEnergyAndLeaveNoInters
       pin.by = Vec3(by / stepsOfWay, 0.0, 0.0);
     }
     stepper.step(*model, parameters, inputs, state);
-    mostPairs = std::max(mostPairs, pairs());
-    mostEnergy = std::max(mostEnergy, energyOf(*model, parameters, state).total());
+    maxPairs = std::max(maxPairs, pairs());
+    maxEnergy = std::max(maxEnergy, energyOf(*model, parameters, state).total());
   }
-  EXPECT_GT(mostPairs, 0U) << "pins are driven into each other";
+  EXPECT_GT(maxPairs, 0U) << "pins are driven into each other";
   EXPECT_EQ(pairs(), 0U);
-  EXPECT_LT(mostEnergy, 20.0);
+  EXPECT_LT(maxEnergy, 20.0);
 }
 
 }  // namespace

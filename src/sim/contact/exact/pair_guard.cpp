@@ -165,7 +165,7 @@ void PairGuard::sweep(const Inputs& inputs, const Limits& limits, PairSearch& se
     return;
   }
   unswept_.assign(positions.begin(), positions.end());
-  std::size_t fewest = found_.size();
+  std::size_t minFound = found_.size();
   int roundsInVain = 0;
   for (int round = 0; mayTryOn() && round < limits.sweepRounds && roundsInVain < maxSweepRoundsInVain; ++round) {
     for (int i = 0; i < sweepsOfRound; ++i) {
@@ -176,8 +176,8 @@ void PairGuard::sweep(const Inputs& inputs, const Limits& limits, PairSearch& se
       round = limits.sweepRounds;
     }
     find(inputs, search, workers, positions);
-    roundsInVain = found_.size() < fewest ? 0 : roundsInVain + 1;
-    fewest = std::min(fewest, found_.size());
+    roundsInVain = found_.size() < minFound ? 0 : roundsInVain + 1;
+    minFound = std::min(minFound, found_.size());
   }
 }
 
