@@ -331,6 +331,15 @@ TEST(Run, countsIntersectionsWithBodiesApartFromThoseWithItself) {
   EXPECT_EQ(through["intersecting_pairs_max"], through["intersecting_pairs_bodies"]["max"]);
 }
 
+TEST(Run, warnsWhenTheTimeIsLessThanHalfOfAStep) {
+  const Outcome outcome = headless("run grid --set grid.resolution=3 --set time_step=1/60 --seconds 0.005");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_NE(outcome.errors.find("warning: --seconds 0.005 leaves less than half of a time step of 0.0166667 s"),
+            std::string::npos)
+      << outcome.errors;
+  EXPECT_EQ(headless("run grid --set grid.resolution=3 --seconds 0").errors.find("less than half"), std::string::npos);
+}
+
 TEST(Run, takesNoStepInNoTime) {
   EXPECT_EQ(statsOf("grid --seconds 0")["steps"], 0);
 }

@@ -285,7 +285,14 @@ std::int64_t stepsLeft(double seconds, const session::Simulation& simulation) {
         fmt::format("the checkpoint is at {:.6g} s; --seconds is the end of the whole run and must not be before",
                     simulation.state().time));
   }
-  return stepsFor(std::max(0.0, left), timeStep);
+  const std::int64_t steps = stepsFor(std::max(0.0, left), timeStep);
+  constexpr double rounding = 1e-6;  // of the time, relative to a step
+  if (steps == 0 && left > rounding * timeStep) {
+    std::cerr << fmt::format(
+        "warning: --seconds {:.6g} leaves less than half of a time step of {:.6g} s; no step is taken\n", seconds,
+        timeStep);
+  }
+  return steps;
 }
 
 void run(RunArguments arguments) {

@@ -32,10 +32,11 @@ Vec3 twisted(const Vec3& standing, double length) {
 
 std::vector<SetUp> ownSetUps() {
   SetUp hang{"hang", "a flat sheet that falls from two pinned corners (the scene grid)", "grid"};
-  SetUp flag{"flag",
-             "a flag in the wind, with damping, drag and lift (the scene flag with springs)",
-             "flag",
-             {"material.model=springs", "stiffness=200", "damping=0.002", "density=0.1"}};
+  SetUp flag{
+      "flag",
+      "a flag in the wind, with damping and with the drag and lift of a thin plate (the scene flag with springs)",
+      "flag",
+      {"material.model=springs", "air.model=plate", "stiffness=200", "damping=0.002", "density=0.1"}};
   SetUp crush{"crush", "a horizontal sheet, slightly bent, whose two pinned edges stand at 0.95 of its width", "grid"};
   crush.edges = {"left", "right"};
   crush.place = crushed;
