@@ -25,15 +25,15 @@ void Simulation::capture(Snapshot& snapshot) const {
   snapshot.stepSeconds = stepSeconds_;
   snapshot.stepReport = stepReport_;
   snapshot.message = message();
+  if (snapshot.message.empty()) {
+    snapshot.message = lateSeamsInWords(cloth_.openSeams(), state_);
+  }
   snapshot.overstretched.reset();
   if (snapshot.maxStretch > implausibleStretch) {
     snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, inputs_.attachment.has_value());
     if (snapshot.message.empty()) {
       snapshot.message = snapshot.overstretched->advice.text;
     }
-  }
-  if (snapshot.message.empty()) {
-    snapshot.message = lateSeamsInWords(cloth_.openSeams(), state_);
   }
   if (!ghost_) {
     snapshot.ghost.reset();

@@ -6,6 +6,7 @@
 #include "app/headless/bake_folder.hpp"
 #include "app/headless/checkpoint_file.hpp"
 #include "app/headless/commands.hpp"
+#include "app/headless/end_warnings.hpp"
 #include "app/headless/intact.hpp"
 #include "app/headless/pierced_start.hpp"
 #include "app/headless/solver_notes.hpp"
@@ -209,6 +210,7 @@ void bake(BakeArguments arguments) {
   printSolverWarnings(simulation.settings(), simulation.model());
   Bake work(arguments, simulation);
   work.simulate(stop);
+  printEndWarnings(simulation);
   work.write();
 }
 

@@ -3,6 +3,7 @@
 #include "app/export/output_name.hpp"
 #include "app/export/picture_files.hpp"
 #include "app/headless/commands.hpp"
+#include "app/headless/end_warnings.hpp"
 #include "app/headless/intact.hpp"
 #include "app/headless/pierced_start.hpp"
 #include "app/headless/solver_notes.hpp"
@@ -75,9 +76,7 @@ void capture(CaptureArguments arguments) {
                         arguments.view.resolution[0], arguments.view.resolution[1],
                         arguments.rate.value_or(1.0 / (every * timeStep)));
   draw(arguments, every, simulation, stop, pictures);
-  if (!simulation.message().empty() && !simulation.blewUp()) {
-    std::cerr << "warning: " << simulation.message() << '\n';
-  }
+  printEndWarnings(simulation);
   pictures.finish();
   std::cout << pictures.summary() << '\n';
   requireIntact(simulation);

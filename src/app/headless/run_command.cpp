@@ -4,6 +4,7 @@
 #include "app/export/output_name.hpp"
 #include "app/headless/checkpoint_file.hpp"
 #include "app/headless/commands.hpp"
+#include "app/headless/end_warnings.hpp"
 #include "app/headless/intact.hpp"
 #include "app/headless/intersection_watch.hpp"
 #include "app/headless/pierced_start.hpp"
@@ -141,23 +142,6 @@ void printSummary(const session::Simulation& simulation, const nlohmann::ordered
   printAccuracy(simulation);
 }
 
-/// Prints warnings. A cloth that blew up is an error, which is reported at the end.
-void warn(const session::Simulation& simulation) {
-  session::Snapshot end;
-  simulation.capture(end);
-  if (!end.message.empty() && !simulation.blewUp()) {
-    std::cerr << "warning: " << end.message << '\n';
-  }
-  if (end.overstretched && !end.overstretched->advice.key.empty()) {
-    const scene::Advice& advice = end.overstretched->advice;
-    std::cerr << "note: --set " << advice.key << '=' << advice.value << " would help\n";
-  }
-  if (const int pairs = end.stepReport.contact.intersections; pairs > 0) {
-    std::cerr << "warning: in the last step, " << pairs << (pairs == 1 ? " pair" : " pairs")
-              << " of triangles of the cloth still intersected\n";
-  }
-}
-
 /// The figures, positions and checks of a run, one step after the other.
 class RunOutputs {
  public:
@@ -203,7 +187,7 @@ class RunOutputs {
   /// Writes the files and prints the summary.
   void finish(const session::Simulation& simulation) {
     progress_.reset();
-    warn(simulation);
+    printEndWarnings(simulation);
     auto figures = stats_.toJson(simulation);
     if (intersections_) {
       intersections_->finish(simulation);

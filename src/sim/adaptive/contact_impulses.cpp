@@ -29,6 +29,7 @@ constexpr double slowSlip = 5e-3;  // [m/s]
 
 /// Maximum speed of a vertex that contacts make faster than all other vertices, relative to bodies and pins [-].
 constexpr double speedRatio = 3.0;
+constexpr double harmlessSpeed = 2.0;  // up to which there is no limit [m/s]
 
 }  // namespace
 
@@ -261,7 +262,7 @@ void ContactImpulses<T>::limitSpeeds(const Island& island) {
     return;
   }
   const double ofObstacles = squaredSpeedOfObstacles(island);
-  const double limit = std::max(before, speedRatio * speedRatio * ofObstacles);
+  const double limit = std::max({before, speedRatio * speedRatio * ofObstacles, harmlessSpeed * harmlessSpeed});
   if (ofObstacles == 0.0 || after <= limit) {
     return;
   }

@@ -15,7 +15,7 @@ constexpr double guardedSeparation = 0.1;  // that pairs keep, in their thicknes
 constexpr int maxSweepRounds = 6;
 constexpr int maxSweepRoundsOfPart = 40;
 constexpr int sweepsOfRound = 8;
-constexpr int maxSearches = 200;         // in a step, to keep pairs apart
+constexpr int maxSearches = 500;         // in a step, to keep pairs apart
 constexpr int maxSweepRoundsInVain = 6;  // in which no fewer pairs are too close than before
 constexpr int maxPlaneRounds = 40;
 constexpr std::array partsOfMotion{4, 16};  // into which a motion is divided that cannot be guarded at once

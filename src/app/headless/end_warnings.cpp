@@ -1,0 +1,31 @@
+#include "app/headless/end_warnings.hpp"
+
+#include "scene/scene.hpp"
+#include "session/snapshot.hpp"
+
+#include <iostream>
+
+namespace drape::app {
+
+void printEndWarnings(const session::Simulation& simulation) {
+  session::Snapshot end;
+  simulation.capture(end);
+  if (!end.message.empty() && !simulation.blewUp()) {
+    std::cerr << "warning: " << end.message << '\n';
+  }
+  if (end.overstretched) {
+    const scene::Advice& advice = end.overstretched->advice;
+    if (advice.text.english() != end.message.english() && !simulation.blewUp()) {
+      std::cerr << "warning: " << advice.text << '\n';
+    }
+    if (!advice.key.empty()) {
+      std::cerr << "note: --set " << advice.key << '=' << advice.value << " would help\n";
+    }
+  }
+  if (const int pairs = end.stepReport.contact.intersections; pairs > 0) {
+    std::cerr << "warning: in the last step, " << pairs << (pairs == 1 ? " pair" : " pairs")
+              << " of triangles of the cloth still intersected\n";
+  }
+}
+
+}  // namespace drape::app
