@@ -170,10 +170,12 @@ class Search {
 };
 
 bool isWornAsInFiles(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts) {
+  constexpr double reachBelow = 0.05;  // below the feet, in heights of the body
   const GarmentOpenings openings(garment);
   const Eigen::AlignedBox3d bodyBox = sim::boundsOf(body.frames().front());
-  return openings.facesBack() == parts.facesBack() &&
-         bodyBox.contains(Vec3(sim::boundsOf(garment.positions).center())) &&
+  const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
+  const bool isAboveGround = box.min().y() >= bodyBox.min().y() - reachBelow * bodyBox.sizes().y();
+  return openings.facesBack() == parts.facesBack() && isAboveGround && bodyBox.contains(Vec3(box.center())) &&
          Badness(garment, body, parts, openings).isWorn(garment.positions);
 }
 

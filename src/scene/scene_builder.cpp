@@ -6,6 +6,7 @@
 #include "scene/scene.hpp"
 #include "scene/seam_builder.hpp"
 #include "scene/usual_view.hpp"
+#include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -13,6 +14,18 @@
 #include <utility>
 
 namespace drape::scene {
+namespace {
+
+bool everyPieceHasPin(const sim::ClothModel& model, const std::vector<int>& pins) {
+  const sim::ConnectedComponents pieces = sim::componentsOf(model.triangles, model.restPositions.size());
+  std::vector<char> hasPin(static_cast<std::size_t>(pieces.count()), 0);
+  for (const int pin : pins) {
+    hasPin[pieces.componentOf[pin]] = 1;
+  }
+  return std::ranges::find(hasPin, 0) == hasPin.end();
+}
+
+}  // namespace
 
 std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const settings::Settings& settings,
                                         const io::ImportWatch& watch) {
@@ -33,7 +46,8 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->renderMesh = std::move(joined.renderMesh);
   scene->summary = std::move(joined.summary);
   scene->cloths = std::move(joined.cloths);
-  if (!description.seams.empty()) {
+  const std::vector<int> pins = joined.pinned();
+  if (!description.seams.empty() || everyPieceHasPin(*scene->model, pins)) {
     std::erase_if(scene->summary.warnings,
                   [](const std::string& warning) { return warning.ends_with(io::piecesNeedPins); });
   }
@@ -41,7 +55,6 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   if (joined.showsReading) {
     scene->reading = joined.reading;
   }
-  const std::vector<int> pins = joined.pinned();
   scene->pinAdvice = adviceOnPins(description, settings, pins.size(), scene->start.positions.size());
   scene->stand = readStand(description.stand, settings, watch, scene->summary.warnings);
   scene->groundHeight = groundHeightOf(description, joined.unplacedStart, pins);

@@ -66,7 +66,7 @@ struct SetSewingCommand {
 struct UntangleCommand {};
 /// Puts the cloth at rest into other positions, as dressing a body does.
 struct PlaceClothCommand {
-  std::vector<Vec3> positions;  ///< one per vertex [m]
+  std::vector<Vec3> positions;  ///< one per vertex [m]; empty with isStart: the start of the scene
   /// Whether the scene starts there from now on, and returns to its start. Otherwise the time goes on.
   bool isStart = false;
 };

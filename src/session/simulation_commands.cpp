@@ -126,6 +126,11 @@ void Simulation::restAt(std::vector<Vec3> positions) {
 }
 
 void Simulation::on(const PlaceClothCommand& command) {
+  if (command.isStart && command.positions.empty()) {
+    placedStart_ = nullptr;
+    on(ResetCommand{});
+    return;
+  }
   const bool isFinite = std::ranges::all_of(command.positions, [](const Vec3& each) { return each.allFinite(); });
   if (static_cast<int>(command.positions.size()) != model_->vertexCount() || !isFinite) {
     throw messages::InputError("the cloth needs one finite place for each vertex");

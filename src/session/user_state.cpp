@@ -89,8 +89,8 @@ std::shared_ptr<const std::vector<PinPlace>> pinsOf(const Snapshot& snapshot) {
 
 UserState userStateOf(const Snapshot& snapshot, std::shared_ptr<const std::vector<PinPlace>> pins) {
   UserState state{
-      snapshot.settings, std::move(pins), {}, snapshot.pinPaths, scene::placementsOf(snapshot.scene->description),
-      snapshot.sewing};
+      snapshot.settings, std::move(pins),     {}, snapshot.pinPaths, scene::placementsOf(snapshot.scene->description),
+      snapshot.sewing,   snapshot.placedStart};
   for (const BodyStatus& body : snapshot.bodies) {
     state.bodies.push_back({body.on, body.targetShift, body.surface, body.figure});
   }
@@ -113,9 +113,13 @@ bool havePinsInCommon(const UserState& a, const UserState& b) {
   return std::ranges::equal(*a.pins, *b.pins, {}, &PinPlace::vertex, &PinPlace::vertex);
 }
 
+bool haveSameStart(const UserState& a, const UserState& b) {
+  return a.placedStart == b.placedStart || (a.placedStart && b.placedStart && *a.placedStart == *b.placedStart);
+}
+
 bool areSame(const UserState& a, const UserState& b) {
   return a.bodies == b.bodies && a.placements == b.placements && havePinsInCommon(a, b) && *a.pinPaths == *b.pinPaths &&
-         *a.sewing == *b.sewing && changedSettings(a.settings, b.settings).empty();
+         *a.sewing == *b.sewing && haveSameStart(a, b) && changedSettings(a.settings, b.settings).empty();
 }
 
 std::vector<Command> runningChanges(const settings::Settings& from, const settings::Settings& to) {
@@ -157,6 +161,9 @@ std::vector<Command> commandsBetween(const UserState& from, const UserState& to,
     commands.emplace_back(SetPinPathsCommand{*to.pinPaths});
   }
   addBodyCommands(from, to, commands);
+  if (!haveSameStart(from, to)) {
+    commands.emplace_back(PlaceClothCommand{to.placedStart ? *to.placedStart : std::vector<Vec3>(), true});
+  }
   return commands;
 }
 

@@ -25,9 +25,8 @@ struct BodyChoice {
   bool operator==(const BodyChoice&) const = default;
 };
 
-/// All that a user can change about a running scene: its settings, pins, bodies, placements, seams and elastic
-/// bands. Undo goes back to an
-/// earlier one.
+/// All that a user can change about a running scene: its settings, pins, bodies, placements, seams, elastic bands, and
+/// the start of the cloth. Undo goes back to an earlier one.
 struct UserState {
   settings::Settings settings;
   std::shared_ptr<const std::vector<PinPlace>> pins;            ///< in the order of the vertices; never null
@@ -35,6 +34,8 @@ struct UserState {
   std::shared_ptr<const std::vector<scene::PinPath>> pinPaths;  ///< of pins that move without a body; never null
   scene::Placements placements;                                 ///< of the cloths and the bodies of the scene
   std::shared_ptr<const scene::Sewing> sewing;                  ///< seams and elastic bands; never null
+  /// Where the cloth starts, one position per vertex [m]; null: where the scene has it. Dressing a body changes this.
+  std::shared_ptr<const std::vector<Vec3>> placedStart;
 };
 
 /// The pinned vertices of a snapshot, in order.
@@ -49,10 +50,13 @@ struct UserState {
 [[nodiscard]] std::vector<const settings::SettingInfo*> changedSettings(const settings::Settings& a,
                                                                         const settings::Settings& b);
 
+/// Whether the cloth starts in the same positions.
+[[nodiscard]] bool haveSameStart(const UserState& a, const UserState& b);
+
 /// Whether the same vertices are pinned.
 [[nodiscard]] bool havePinsInCommon(const UserState& a, const UserState& b);
 
-/// Whether settings, pinned vertices, bodies, placements, seams and elastic bands are the same.
+/// Whether settings, pinned vertices, bodies, placements, seams, elastic bands and the start of the cloth are the same.
 [[nodiscard]] bool areSame(const UserState& a, const UserState& b);
 
 /// The commands from the settings `from` to `to` that need no rebuild of the scene. The values of a fabric change

@@ -97,6 +97,12 @@ void addSewing(const session::UserState& from, const session::UserState& to, std
   }
 }
 
+void addStart(const session::UserState& from, const session::UserState& to, std::vector<Sentence>& changes) {
+  if (!session::haveSameStart(from, to) && from.placements == to.placements && !isOtherMesh(from, to)) {
+    changes.push_back(Sentence("dressing"));
+  }
+}
+
 void addFigure(const std::string& name, const figure::FigureOptions& before, const figure::FigureOptions& after,
                std::vector<Sentence>& changes) {
   if (before.motion != after.motion) {
@@ -171,6 +177,7 @@ Sentence changeInWords(const session::UserState& from, const session::UserState&
   addPins(from, to, changes);
   addPinPaths(from, to, changes);
   addSewing(from, to, changes);
+  addStart(from, to, changes);
   addPlacements(from, to, scene, changes);
   addBodies(from, to, scene, changes);
   constexpr std::size_t shownInFull = 2;

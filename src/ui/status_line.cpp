@@ -91,12 +91,12 @@ std::optional<Message> paceMessage(const PanelContext& context) {
 /// The most urgent message.
 Message messageOf(const PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
+  if (!context.stats.notice.empty()) {
+    return {context.texts(context.stats.notice), palette().text};
+  }
   if (!snapshot.message.empty()) {
     return {context.texts(snapshot.message), palette().warning,
             snapshot.overstretched && snapshot.overstretched->advice.key == "solver" ? Remedy::Auto : Remedy::None};
-  }
-  if (!context.stats.notice.empty()) {
-    return {context.texts(context.stats.notice), palette().text};
   }
   if (std::optional<Message> intersections = intersectionMessage(context)) {
     return *intersections;

@@ -156,7 +156,7 @@ bool hoversRow(const UiRect& row) {
 bool hoveredLongEnough(const PanelContext& context, const std::string& name) {
   PanelMemory& memory = context.memory;
   memory.hoveredThisFrame = true;
-  if (memory.hoveredRow != name || ImGui::IsAnyMouseDown()) {
+  if (memory.hoveredRow != name || ImGui::IsAnyMouseDown() || ImGui::GetIO().WantTextInput) {
     memory.hoveredRow = name;
     memory.hoveredSince = ImGui::GetTime();
   }
@@ -164,15 +164,20 @@ bool hoveredLongEnough(const PanelContext& context, const std::string& name) {
 }
 
 void beginExplanation(const PanelContext& context, const UiRect* row) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const ImVec2 padding(ImGui::GetFontSize() * 0.7F, ImGui::GetFontSize() * 0.55F);
+  const float textWidth = std::min(ImGui::GetFontSize() * 22.0F, display.x - 2.0F * padding.x);
   if (row != nullptr) {
-    const bool upper = row->y < static_cast<double>(ImGui::GetIO().DisplaySize.y) * 0.6;
+    const bool upper = row->y < static_cast<double>(display.y) * 0.6;
     const double beside = row->x + row->width + static_cast<double>(30.0F * context.scale);
-    ImGui::SetNextWindowPos({static_cast<float>(beside), static_cast<float>(upper ? row->y : row->y + row->height)},
-                            ImGuiCond_Always, {0.0F, upper ? 0.0F : 1.0F});
+    const float last = display.x - textWidth - 2.0F * padding.x;  // from which all of it is in the window
+    ImGui::SetNextWindowPos(
+        {std::min(static_cast<float>(beside), last), static_cast<float>(upper ? row->y : row->y + row->height)},
+        ImGuiCond_Always, {0.0F, upper ? 0.0F : 1.0F});
   }
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.7F, ImGui::GetFontSize() * 0.55F));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 22.0F);
+  ImGui::PushTextWrapPos(textWidth);
 }
 
 void endExplanation() {

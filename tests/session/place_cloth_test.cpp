@@ -1,4 +1,5 @@
 #include "session/simulation.hpp"
+#include "session/user_state.hpp"
 #include "test_scene.hpp"
 
 #include <gtest/gtest.h>
@@ -33,6 +34,39 @@ TEST(PlaceClothCommand, startsTheSceneInOtherPositions) {
   simulation.capture(snapshot);
   ASSERT_TRUE(snapshot.placedStart);
   EXPECT_EQ(*snapshot.placedStart, places);
+}
+
+TEST(PlaceClothCommand, withoutPositionsReturnsToTheStartOfTheScene) {
+  Simulation simulation(testing::smallGrid());
+  simulation.apply(PlaceClothCommand{raised(simulation, 0.3), true});
+  testing::takeSteps(simulation, 2);
+  simulation.apply(PlaceClothCommand{{}, true});
+  EXPECT_EQ(simulation.state().positions, simulation.scene().start.positions);
+  EXPECT_EQ(simulation.stepIndex(), 0);
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  EXPECT_FALSE(snapshot.placedStart);
+}
+
+TEST(PlaceClothCommand, isPartOfTheStateToWhichUndoReturns) {
+  Simulation simulation(testing::smallGrid());
+  Snapshot snapshot;
+  simulation.capture(snapshot);
+  const UserState bare = userStateOf(snapshot);
+  simulation.apply(PlaceClothCommand{raised(simulation, 0.3), true});
+  simulation.capture(snapshot);
+  const UserState placed = userStateOf(snapshot);
+  EXPECT_FALSE(areSame(bare, placed));
+  for (const Command& command : commandsBetween(placed, bare, simulation.scene())) {
+    simulation.apply(command);
+  }
+  EXPECT_EQ(simulation.state().positions, simulation.scene().start.positions);
+  for (const Command& command : commandsBetween(bare, placed, simulation.scene())) {
+    simulation.apply(command);
+  }
+  EXPECT_EQ(simulation.state().positions, *placed.placedStart);
+  simulation.capture(snapshot);
+  EXPECT_TRUE(areSame(userStateOf(snapshot), placed)) << "the same positions in another place of memory";
 }
 
 TEST(PlaceClothCommand, isForgottenByTheNextScene) {

@@ -69,6 +69,10 @@ void printNotes(const Dressed& result) {
     std::cerr << "note: where the garment was placed, the centre lines of the body are not inside it: "
               << inWords(result.atCentreLines) << '\n';
   }
+  if (result.placement.rule == dressing::PlacementRule::Boxes) {
+    std::cerr << "note: neck, sleeves, waist or hood were not recognised on both garment and body. So nothing may hold "
+                 "the garment on the body: look at the result\n";
+  }
 }
 
 /// Figures for games are often several metres tall.

@@ -204,7 +204,7 @@ std::string messageOf(const ViewerStatus& status) {
   if (!status.stats.error.empty()) {
     return texts(status.stats.error);
   }
-  return texts(status.snapshot.message.empty() ? status.stats.notice : status.snapshot.message);
+  return texts(status.stats.notice.empty() ? status.snapshot.message : status.stats.notice);
 }
 
 Json describeSimulation(const session::Snapshot& snapshot) {

@@ -10,8 +10,10 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <thread>
+#include <utility>
 
 namespace drape::app {
 namespace {
@@ -148,6 +150,7 @@ void Viewer::frame() {
   panels_.setDisplay(display_);
   controller_.setView(panels_.view(), display_.scale);
   followScene(snapshot);
+  endNotice(snapshot);
   controller_.placing().follow(snapshot);
   takeLoadedScene(snapshot);
   followDressing(snapshot);
@@ -227,9 +230,16 @@ void Viewer::updateStats(Clock::time_point now) {
   lastFrame_ = now;
   stats_.frameSeconds += frameSmoothing * (seconds - stats_.frameSeconds);
   stats_.loading = loader_.activity();
-  if (now > noticeEnds_) {
+}
+
+/// The notice hides a message of the simulation that was there before, until its time is over or another message comes.
+void Viewer::endNotice(const session::Snapshot& snapshot) {
+  std::string message = snapshot.message.english();
+  std::erase_if(message, [](unsigned char c) { return std::isdigit(c) != 0; });  // figures change in every frame
+  if (Clock::now() > noticeEnds_ || (!message.empty() && message != lastMessage_)) {
     stats_.notice = {};
   }
+  lastMessage_ = std::move(message);
 }
 
 ui::UiDisplay Viewer::measureDisplay(double fontScaleSetting) const {

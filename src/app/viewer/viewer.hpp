@@ -129,6 +129,7 @@ class Viewer {
   void showFailure(const std::exception& error);
   [[nodiscard]] ui::UiDisplay measureDisplay(double fontScaleSetting) const;
   void updateStats(Clock::time_point now);
+  void endNotice(const session::Snapshot& snapshot);
 
   render::WindowContext window_;
   render::Renderer renderer_;
@@ -179,6 +180,7 @@ class Viewer {
   Vec2 mouse_ = Vec2::Zero();
   Clock::time_point lastFrame_ = Clock::now();
   Clock::time_point noticeEnds_ = Clock::now();
+  std::string lastMessage_;                      // of the simulation in the last frame, without digits
   Clock::time_point nextKeep_ = Clock::now();    ///< when the preferences are compared with their file again
   Clock::time_point lastChange_ = Clock::now();  ///< time of the last motion or user input
   double lastTurn_ = 0.0;                        ///< when the turntable turned last, by GLFW's clock [s]

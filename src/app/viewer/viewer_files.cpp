@@ -108,6 +108,7 @@ void Viewer::on(const ui::SaveSceneRequest& request, const session::Snapshot& sn
     savedFile_ = file;
     savedState_ = state;
     noteFile(file);
+    stats_.error = {};
     showNotice(notice);
   } catch (const std::exception& error) {
     showFailure(error);
