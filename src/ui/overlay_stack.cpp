@@ -29,6 +29,32 @@ void pushStyle(float padding, float opacity) {
   ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
 }
 
+/// A range along x [window units].
+struct Span {
+  float low = 0.0F;
+  float high = 0.0F;
+};
+
+/// The part of the picture beside the box of a mode, if the box is at the top and leaves enough room.
+Span besideModeBox(const UiRect& view) {
+  constexpr double top = 0.3;          // of the height of the picture
+  constexpr float enoughRoom = 20.0F;  // [heights of the text]
+  const Span whole{static_cast<float>(view.x), static_cast<float>(view.x + view.width)};
+  Span free = whole;
+  for (const char* name : {"overlay.placing", "overlay.selection", "overlay.sewing"}) {
+    const ImGuiWindow* box = ImGui::FindWindowByName(name);
+    if (box == nullptr || !box->WasActive || static_cast<double>(box->Pos.y) > view.y + top * view.height) {
+      continue;
+    }
+    if (box->Pos.x + 0.5F * box->Size.x < 0.5F * (whole.low + whole.high)) {
+      free.low = std::max(free.low, box->Pos.x + box->Size.x);
+    } else {
+      free.high = std::min(free.high, box->Pos.x);
+    }
+  }
+  return free.high - free.low > enoughRoom * ImGui::GetFontSize() ? free : whole;
+}
+
 /// Puts the next window, a dialog, into the middle of the view, but never beyond the edges of the window. A dialog
 /// wider than the view covers some of the panels. A higher one scrolls.
 void placeDialog(const UiRect& view, const char* name) {
@@ -50,11 +76,10 @@ void popStyle() {
 }  // namespace
 
 OverlayStack::OverlayStack(PanelContext& context, const UiRect& view)
-    : context_(context),
-      bottom_(static_cast<float>(view.y + view.height)),
-      centre_(static_cast<float>(view.x + view.width * 0.5)),
-      padding_(12.0F * context.scale),
-      textWidth_(std::min(static_cast<float>(view.width) - 4.0F * padding_, widestText * ImGui::GetFontSize())) {
+    : context_(context), bottom_(static_cast<float>(view.y + view.height)), padding_(12.0F * context.scale) {
+  const Span free = besideModeBox(view);
+  centre_ = 0.5F * (free.low + free.high);
+  textWidth_ = std::min(free.high - free.low - 4.0F * padding_, widestText * ImGui::GetFontSize());
   top_ = static_cast<float>(view.y) + padding_;
 }
 
@@ -91,6 +116,15 @@ void beginCorner(PanelContext& context, const std::string& name, const ImVec2& a
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   pushStyle(12.0F * context.scale, 0.9F);
   ImGui::Begin(name.c_str(), nullptr, overlayFlags | (taken ? 0 : ImGuiWindowFlags_NoInputs));
+  remember(context, name);
+}
+
+void beginModeBox(PanelContext& context, const std::string& name, const UiRect& view) {
+  const float margin = 12.0F * context.scale;
+  ImGui::SetNextWindowPos({static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
+                          ImGuiCond_Appearing);
+  pushStyle(margin, 0.9F);
+  ImGui::Begin(name.c_str(), nullptr, overlayFlags & ~ImGuiWindowFlags_NoMove);
   remember(context, name);
 }
 

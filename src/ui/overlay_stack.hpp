@@ -6,8 +6,9 @@
 
 namespace drape::ui {
 
-/// Boxes at the top of the picture, one below the other, so that none covers another. Create one per frame and pass it
-/// to everything that shows a box. Permanent boxes come first, so that they do not move when a short message appears.
+/// Boxes at the top of the picture, one below the other, so that none covers another, beside the box of a mode. Create
+/// one per frame and pass it to everything that shows a box. Permanent boxes come first, so that they do not move when
+/// a short message appears.
 ///
 ///     stack.begin("reading");
 ///     ImGui::TextUnformatted("Read as centimetres");
@@ -48,6 +49,10 @@ class OverlayStack {
 void beginCorner(PanelContext& context, const std::string& name, const ImVec2& at, const ImVec2& pivot,
                  OverlayStack::Mouse mouse);
 void endCorner();
+
+/// Opens the box of a mode at the upper left corner of the picture. The user can drag it elsewhere by its background.
+/// endCorner() closes it. @param name one of "overlay.placing", "overlay.selection" and "overlay.sewing"
+void beginModeBox(PanelContext& context, const std::string& name, const UiRect& view);
 
 /// Opens a box in the middle of the picture, with a title, and stores its rectangle as "overlay.NAME". endDialog()
 /// closes it.

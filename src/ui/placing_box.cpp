@@ -287,9 +287,7 @@ void placingBox(PanelContext& context, const UiRect& view) {
   }
   const PlacingView& placing = *context.stats.placing;
   drawGizmo(context, placing, view);
-  const float margin = 12.0F * context.scale;
-  const ImVec2 at{static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin};
-  beginCorner(context, "overlay.placing", at, {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
+  beginModeBox(context, "overlay.placing", view);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
   thingRow(context, placing);
   toolRow(context, placing);

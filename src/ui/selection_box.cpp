@@ -63,9 +63,7 @@ void selectionBox(PanelContext& context, const UiRect& view) {
     return;
   }
   drawSelection(selection, view, context.scale);
-  const float margin = 12.0F * context.scale;
-  beginCorner(context, "overlay.selection", {static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
-              {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
+  beginModeBox(context, "overlay.selection", view);
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   float width = (17.0F * ImGui::GetFontSize() - 2.0F * gap) / 3.0F;
   for (const char* word : {"Pin (P)", "Release", "Done (Esc)"}) {

@@ -215,10 +215,8 @@ void sewingBox(PanelContext& context, const UiRect& view) {
   }
   const SewingView& sewing = *context.stats.sewing;
   drawSewing(context, sewing, view);
-  const float margin = 12.0F * context.scale;
-  const ImVec2 at{static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin};
-  beginCorner(context, "overlay.sewing", at, {0.0F, 0.0F}, OverlayStack::Mouse::Taken);
-  const float width = boxWidth(view, margin);
+  beginModeBox(context, "overlay.sewing", view);
+  const float width = boxWidth(view, 12.0F * context.scale);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   kindRow(context, sewing, width);
   extentRow(context, sewing, width);

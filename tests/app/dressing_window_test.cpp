@@ -137,6 +137,21 @@ TEST(DressingInTheWindow, ABodyThatIsDroppedOnAGarmentWearsItAfterOneClick) {
   EXPECT_EQ(pairsIn(savedCloth(viewer, "shirt-001.obj"), "mannequin.obj"), 0U);
 }
 
+TEST(DressingInTheWindow, UndoAndRedoReturnToTheClothBeforeAndAfterDressing) {
+  const Wardrobe wardrobe;
+  ViewerDriver viewer({wardrobe.shirt(), "--paused"});
+  ASSERT_TRUE(viewer.drop({wardrobe.body()}));
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
+  viewer.click(viewer.find("button.drop.dress"));
+  const Json dressed = viewer.waitUntil("the dressed body", isDressed);
+  viewer.tap("ctrl+z");
+  viewer.waitUntil("the cloth before", [](const Json& s) { return !s["placed"].get<bool>() && says(s, "dressing"); });
+  viewer.tap("ctrl+y");
+  const Json again = viewer.waitUntil("the dressed body again", isDressed);
+  EXPECT_EQ(again["cloth_bounds"], dressed["cloth_bounds"]);
+  viewer.waitUntil("no body in the cloth", [](const Json& s) { return s["piercing"].is_null(); });
+}
+
 TEST(DressingInTheWindow, ADressedBodyIsSavedWithItsStartAndKeepsTheRestShapeOfTheGarment) {
   const Wardrobe wardrobe;
   ViewerDriver viewer({wardrobe.shirt(), "--paused"});

@@ -74,6 +74,26 @@ TEST(PlacingWindow, AnArrowMovesTheClothAlongItsAxisAndUndoBringsItBack) {
   EXPECT_TRUE(viewer.process().running());
 }
 
+TEST(PlacingWindow, TheBoxIsDraggedByItsBackgroundAndTheViewStays) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.key("g");
+  const Json before =
+      viewer.waitUntil("the box", [](const Json& s) { return isPlacing(s) && hasButton(s, "overlay.placing"); });
+  const Json& box = before["buttons"]["overlay.placing"];
+  const Place from{box["x"].get<double>() + box["width"].get<double>() - 4.0, box["y"].get<double>() + 4.0};
+  viewer.move(from);
+  viewer.press();
+  viewer.move({from.x + 40.0, from.y + 30.0});
+  viewer.move({from.x + 80.0, from.y + 60.0});
+  viewer.release();
+  const Json after = viewer.waitUntil("the box in another place", [&](const Json& s) {
+    return hasButton(s, "overlay.placing") &&
+           std::abs(s["buttons"]["overlay.placing"]["x"].get<double>() - box["x"].get<double>() - 80.0) < 1.0;
+  });
+  EXPECT_NEAR(after["buttons"]["overlay.placing"]["y"].get<double>(), box["y"].get<double>() + 60.0, 1.0);
+  EXPECT_EQ(after["camera"], before["camera"]);
+}
+
 TEST(PlacingWindow, PinsOfTheUserStayAndOneUndoTakesBackThePlacementAlone) {
   ViewerDriver viewer({"grid", "--paused"});
   viewer.key("l");
