@@ -2,6 +2,7 @@
 
 #include "messages/sentence_error.hpp"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -21,7 +22,11 @@ const BoundaryLoop& BorderFinder::borderWith(int vertex) const {
     return std::ranges::find(border.vertices, vertex) != border.vertices.end();
   });
   if (found == borders_.end()) {
-    throw messages::SentenceError(text::Sentence("{} is not on an open border, so it cannot be sewn", named_(vertex)));
+    const Vec3& at = mesh_.positions[vertex];
+    throw messages::SentenceError(text::Sentence(
+        "{} is not on an open border, so it cannot be sewn. It is at ({}) m; Drape numbers vertices as it "
+        "reads them, which can differ from the file",
+        named_(vertex), fmt::format("{:.3f}, {:.3f}, {:.3f}", at.x(), at.y(), at.z())));
   }
   return *found;
 }

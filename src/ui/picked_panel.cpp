@@ -13,7 +13,7 @@ namespace drape::ui {
 namespace {
 
 constexpr float titleWidth = 11.0F;  // of the column with the names of the fields [heights of the text]
-constexpr float valueWidth = 3.7F;   // of a vertex [heights of the text]
+constexpr const char* widestValue = "-1.234e-10";
 
 ImVec4 colourOf(std::size_t pick) {
   const fields::ScreenColour& colour = render::pickColours()[pick];
@@ -33,7 +33,9 @@ float widthOfTitles(const PanelContext& context) {
 }
 
 std::string valueText(double value) {
-  return std::isfinite(value) ? text::figure(value, 4) : "\u2013";
+  constexpr double rounding = 1e-9;  // values that are only the rounding error of 0, in all units
+  constexpr int digits = 4;
+  return std::isfinite(value) ? text::figure(std::abs(value) < rounding ? 0.0 : value, digits) : "\u2013";
 }
 
 void rightAligned(const std::string& text) {
@@ -75,14 +77,14 @@ void fieldRow(PanelContext& context, std::size_t index, const PickedVertices::Sa
 }
 
 void valueTable(PanelContext& context, const PickedVertices& picked) {
-  const float line = ImGui::GetTextLineHeight();
+  const float valueWidth = ImGui::CalcTextSize(widestValue).x;
   const std::size_t count = picked.vertices().size();
   if (!ImGui::BeginTable("values", static_cast<int>(count) + 1, ImGuiTableFlags_SizingFixedFit)) {
     return;
   }
   ImGui::TableSetupColumn("field", ImGuiTableColumnFlags_WidthFixed, widthOfTitles(context));
   for (std::size_t i = 0; i < count; ++i) {
-    ImGui::TableSetupColumn(std::to_string(i).c_str(), ImGuiTableColumnFlags_WidthFixed, valueWidth * line);
+    ImGui::TableSetupColumn(std::to_string(i).c_str(), ImGuiTableColumnFlags_WidthFixed, valueWidth);
   }
   headRow(context, picked.vertices());
   for (std::size_t f = 0; f < sim::fields::fieldTable().size(); ++f) {
