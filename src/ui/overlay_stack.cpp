@@ -61,7 +61,7 @@ void placeDialog(const UiRect& view, const char* name) {
   const ImGuiWindow* before = ImGui::FindWindowByName(name);
   const float half = before == nullptr ? 0.0F : 0.5F * before->Size.x;
   const float width = ImGui::GetIO().DisplaySize.x;
-  const float middle = static_cast<float>(view.x + view.width * 0.5);
+  const auto middle = static_cast<float>(view.x + view.width * 0.5);
   ImGui::SetNextWindowPos(
       {std::max(half, std::min(middle, width - half)), static_cast<float>(view.y + view.height * 0.5)},
       ImGuiCond_Always, {0.5F, 0.5F});
