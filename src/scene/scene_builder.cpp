@@ -6,7 +6,7 @@
 #include "scene/scene.hpp"
 #include "scene/seam_builder.hpp"
 #include "scene/usual_view.hpp"
-#include "sim/model/mesh_topology.hpp"
+#include "sim/model/pieces.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -14,18 +14,6 @@
 #include <utility>
 
 namespace drape::scene {
-namespace {
-
-bool everyPieceHasPin(const sim::ClothModel& model, const std::vector<int>& pins) {
-  const sim::ConnectedComponents pieces = sim::componentsOf(model.triangles, model.restPositions.size());
-  std::vector<char> hasPin(static_cast<std::size_t>(pieces.count()), 0);
-  for (const int pin : pins) {
-    hasPin[pieces.componentOf[pin]] = 1;
-  }
-  return std::ranges::find(hasPin, 0) == hasPin.end();
-}
-
-}  // namespace
 
 std::shared_ptr<const Scene> buildScene(const SceneDescription& description, const settings::Settings& settings,
                                         const io::ImportWatch& watch) {
@@ -47,7 +35,7 @@ std::shared_ptr<const Scene> buildScene(const SceneDescription& description, con
   scene->summary = std::move(joined.summary);
   scene->cloths = std::move(joined.cloths);
   const std::vector<int> pins = joined.pinned();
-  if (!description.seams.empty() || everyPieceHasPin(*scene->model, pins)) {
+  if (!description.seams.empty() || sim::freePieces(*scene->model).empty()) {
     std::erase_if(scene->summary.warnings,
                   [](const std::string& warning) { return warning.ends_with(io::piecesNeedPins); });
   }

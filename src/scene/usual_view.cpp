@@ -43,9 +43,11 @@ CameraPose usualView(const ViewedThings& things) {
     box.min().y() = std::min(box.min().y(), shown);
   }
   for (const sim::contact::Body& body : things.bodies) {
+    if (!body.drawn) {
+      continue;
+    }
     const Eigen::AlignedBox3d ofBody = boundsAtStart(body);
-    const bool isSmall = ofBody.diagonal().norm() <= largestBody * diagonal;
-    if (body.drawn && (isSmall || things.description.parts.dressed)) {
+    if (things.description.parts.dressed || ofBody.diagonal().norm() <= largestBody * diagonal) {
       box.extend(ofBody);
     }
   }

@@ -137,13 +137,18 @@ TEST(DressingInTheWindow, ABodyThatIsDroppedOnAGarmentWearsItAfterOneClick) {
   EXPECT_EQ(pairsIn(savedCloth(viewer, "shirt-001.obj"), "mannequin.obj"), 0U);
 }
 
+/// Drops the body on the garment, and dresses it.
+Json dressByDrop(ViewerDriver& viewer, const Wardrobe& wardrobe) {
+  EXPECT_TRUE(viewer.drop({wardrobe.body()}));
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
+  viewer.click(viewer.find("button.drop.dress"));
+  return viewer.waitUntil("the dressed body", isDressed);
+}
+
 TEST(DressingInTheWindow, UndoAndRedoReturnToTheClothBeforeAndAfterDressing) {
   const Wardrobe wardrobe;
   ViewerDriver viewer({wardrobe.shirt(), "--paused"});
-  ASSERT_TRUE(viewer.drop({wardrobe.body()}));
-  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
-  viewer.click(viewer.find("button.drop.dress"));
-  const Json dressed = viewer.waitUntil("the dressed body", isDressed);
+  const Json dressed = dressByDrop(viewer, wardrobe);
   viewer.tap("ctrl+z");
   viewer.waitUntil("the cloth before", [](const Json& s) { return !s["placed"].get<bool>() && says(s, "dressing"); });
   viewer.tap("ctrl+y");
@@ -155,10 +160,7 @@ TEST(DressingInTheWindow, UndoAndRedoReturnToTheClothBeforeAndAfterDressing) {
 TEST(DressingInTheWindow, ADressedBodyIsSavedWithItsStartAndKeepsTheRestShapeOfTheGarment) {
   const Wardrobe wardrobe;
   ViewerDriver viewer({wardrobe.shirt(), "--paused"});
-  ASSERT_TRUE(viewer.drop({wardrobe.body()}));
-  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "button.drop.dress"); });
-  viewer.click(viewer.find("button.drop.dress"));
-  viewer.waitUntil("the dressed body", isDressed);
+  dressByDrop(viewer, wardrobe);
   viewer.key("ctrl+s");
   viewer.waitUntil("the scene file", [](const Json& s) { return says(s, "shirt-001_start.obj"); });
   EXPECT_EQ(pairsIn(viewer.folder() / "shirt-001_start.obj", "mannequin.obj"), 0U);

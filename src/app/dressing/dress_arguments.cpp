@@ -70,8 +70,9 @@ void printNotes(const Dressed& result) {
               << inWords(result.atCentreLines) << '\n';
   }
   if (result.placement.rule == dressing::PlacementRule::Boxes) {
-    std::cerr << "note: neck, sleeves, waist or hood were not recognised on both garment and body. So nothing may hold "
-                 "the garment on the body: look at the result\n";
+    std::cerr
+        << "note: the garment was placed by its size, not by neck, sleeves, waist or hood. Check the result: it may "
+           "slide off the body\n";
   }
 }
 

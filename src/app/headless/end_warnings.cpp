@@ -15,7 +15,7 @@ void printEndWarnings(const session::Simulation& simulation) {
   }
   if (end.overstretched) {
     const scene::Advice& advice = end.overstretched->advice;
-    if (advice.text.english() != end.message.english() && !simulation.blewUp()) {
+    if (advice.text != end.message && !simulation.blewUp()) {
       std::cerr << "warning: " << advice.text << '\n';
     }
     if (!advice.key.empty()) {
@@ -23,8 +23,8 @@ void printEndWarnings(const session::Simulation& simulation) {
     }
   }
   if (const int pairs = end.stepReport.contact.intersections; pairs > 0) {
-    std::cerr << "warning: in the last step, " << pairs << (pairs == 1 ? " pair" : " pairs")
-              << " of triangles of the cloth still intersected\n";
+    std::cerr << "warning: at the start of the last step, " << pairs << (pairs == 1 ? " pair" : " pairs")
+              << " of triangles of the cloth intersected\n";
   }
 }
 

@@ -7,6 +7,7 @@
 #include "report/sections/time_limit.hpp"
 #include "report/timing.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/model/distances.hpp"
 #include "sim/model/sim_error.hpp"
 
 #include <algorithm>
@@ -100,14 +101,6 @@ const char* stateOf(bool finite, double error, double motionKept) {
   return motionKept < frozen && error > visible ? "frozen" : "calm";
 }
 
-double largestDistance(const sim::ClothState& a, const sim::ClothState& b) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.positions.size(); ++v) {
-    largest = std::max(largest, (a.positions[v] - b.positions[v]).norm());
-  }
-  return largest;
-}
-
 /// Makes the reference on first use and writes how well it is known. False when it is of no use.
 bool writeReference(BudgetCloth& cloth, const std::function<void()>& checkStop, ReportRow& row) {
   constexpr double useful = 0.01;   // of the diagonal
@@ -148,7 +141,8 @@ void writeErrors(const BudgetCloth& cloth, const settings::Settings& settings, c
   row["error_of_diagonal"] = finiteOrNull(summary.meanError / report.diagonal);
   row["motion_kept"] = finiteOrNull(summary.motionKept);
   if (finite) {
-    row["error_max"] = finiteOrNull(largestDistance(own.states.back(), reference.trajectory.states.back()));
+    row["error_max"] =
+        finiteOrNull(sim::largestDistance(own.states.back().positions, reference.trajectory.states.back().positions));
   }
 }
 

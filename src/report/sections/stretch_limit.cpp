@@ -8,6 +8,7 @@
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/measures/measures.hpp"
+#include "sim/model/distances.hpp"
 #include "sim/stepping/stepper.hpp"
 
 #include <fmt/core.h>
@@ -101,14 +102,6 @@ LimitedRun runLimited(const scene::Scene& scene, const sim::adaptive::AutoOption
   return run;
 }
 
-double largestDistance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double largest = 0.0;
-  for (std::size_t v = 0; v < a.size(); ++v) {
-    largest = std::max(largest, (a[v] - b[v]).norm());
-  }
-  return largest;
-}
-
 /// A cloth in a preset, with its run at full stiffness and the default budget, which is made on first use.
 class StretchGround {
  public:
@@ -130,10 +123,10 @@ class StretchGround {
             {"stiffness_lowest", run.lowestStiffness},
             {"stiffness_rest", run.restStiffness},
             {"moved_mean", finiteOrNull(sim::meanDistance(run.moved, full_->moved))},
-            {"moved_max", finiteOrNull(largestDistance(run.moved, full_->moved))},
+            {"moved_max", finiteOrNull(sim::largestDistance(run.moved, full_->moved))},
             {"noise_moved", finiteOrNull(sim::meanDistance(jittered_->moved, full_->moved))},
             {"rest_mean", finiteOrNull(sim::meanDistance(run.rest, full_->rest))},
-            {"rest_max", finiteOrNull(largestDistance(run.rest, full_->rest))},
+            {"rest_max", finiteOrNull(sim::largestDistance(run.rest, full_->rest))},
             {"noise_rest", finiteOrNull(sim::meanDistance(jittered_->rest, full_->rest))},
             {"strain_largest", finiteOrNull(run.largestStrain)},
             {"strain_rest", finiteOrNull(run.restStrain)},

@@ -27,7 +27,7 @@ constexpr double slowSpeed = 0.1;  // [m/s]
 /// cloth begins to slide later.
 constexpr double slowSlip = 5e-3;  // [m/s]
 
-/// Maximum speed of a vertex that contacts make faster than all other vertices, relative to bodies and pins [-].
+/// Maximum ratio of the speed that contact gives a vertex to the speed of the fastest body or pin [-].
 constexpr double speedRatio = 3.0;
 constexpr double harmlessSpeed = 2.0;  // up to which there is no limit [m/s]
 
@@ -247,9 +247,10 @@ void ContactImpulses<T>::applyIsland(const Island& island, double time, double d
   }
 }
 
-/// Contacts that bodies or pins close like scissors throw vertices out of their gap. Such contacts may make no vertex
-/// faster than the fastest vertex was, or much faster than the bodies and the pins are. Without moving bodies and pins
-/// contact adds no energy, and there is no limit.
+/// Bodies or pins that close like scissors would push vertices out of the gap at any speed. So contact may not give a
+/// vertex a higher speed than `harmlessSpeed`, the speed of the fastest vertex before, or `speedRatio` times that of
+/// the fastest body or pin, whichever is the highest. Without moving bodies and pins contact adds no energy, and there
+/// is no limit.
 template <typename T>
 void ContactImpulses<T>::limitSpeeds(const Island& island) {
   double before = 0.0;  // squared

@@ -1,6 +1,8 @@
 #include "sim/stepping/flat_layers.hpp"
 
+#include "sim/contact/closest_features/triangle_geometry.hpp"
 #include "sim/model/mesh_topology.hpp"
+#include "sim/model/normals.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,13 +14,9 @@ constexpr double flatness = 1e-3;    // distance from the plane of the other tri
 constexpr double gapRatio = 0.1;     // smallest distance between layers of different parts, in thicknesses
 constexpr double largestGap = 0.25;  // of all parts together, in thicknesses
 
-Vec3 areaVector(const Triangle& triangle, std::span<const Vec3> positions) {
-  return (positions[triangle[1]] - positions[triangle[0]]).cross(positions[triangle[2]] - positions[triangle[0]]);
-}
-
 /// Whether all corners of the second triangle are in the plane of the first.
 bool isInPlaneOf(const Triangle& first, const Triangle& second, std::span<const Vec3> positions, double tolerance) {
-  const Vec3 normal = areaVector(first, positions).normalized();
+  const Vec3 normal = contact::faceNormal(contact::cornersOf(positions, first));
   return std::ranges::all_of(
       second, [&](int v) { return std::abs(normal.dot(positions[v] - positions[first[0]])) <= tolerance; });
 }
@@ -84,11 +82,8 @@ void openFlatLayers(const ClothModel& model, std::span<const intersection::Trian
     if (flat[v] == 0) {
       continue;
     }
-    Vec3 normal = Vec3::Zero();
-    for (const int triangle : model.vertexTriangles[v]) {
-      normal += areaVector(model.triangles[triangle], before);
-    }
-    positions[v] += gap * (1.0 + 2.0 * parts.componentOf[v] + depths[v]) * normal.normalized();
+    const Vec3 normal = vertexNormal(model, before, static_cast<int>(v));
+    positions[v] += gap * (1.0 + 2.0 * parts.componentOf[v] + depths[v]) * normal;
   }
 }
 

@@ -7,6 +7,7 @@
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/local_rates.hpp"
 #include "sim/forces/stability.hpp"
+#include "sim/model/distances.hpp"
 #include "sim/model/pieces.hpp"
 #include "sim/model/sim_error.hpp"
 #include "sim/motion/moving_frame.hpp"
@@ -55,15 +56,6 @@ bool isDamped(const ClothModel& model) {
 /// Whether a step is repeated in shorter contact substeps if contact moves a vertex too far.
 bool repeatsInShorterParts(const SolverInfo& solver, const StepParameters& parameters) {
   return !solver.resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact;
-}
-
-/// The largest distance of a vertex in one list from itself in the other [m].
-double largestDistance(const std::vector<Vec3>& first, const std::vector<Vec3>& second) {
-  double largest = 0.0;  // squared
-  for (std::size_t v = 0; v < first.size(); ++v) {
-    largest = std::max(largest, (second[v] - first[v]).squaredNorm());
-  }
-  return std::sqrt(largest);
 }
 
 /// The largest motion of a vertex in a step relative to the mean motion, with the present velocities [m].

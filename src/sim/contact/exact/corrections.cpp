@@ -1,7 +1,8 @@
 #include "sim/contact/exact/corrections.hpp"
 
+#include "sim/model/distances.hpp"
+
 #include <algorithm>
-#include <cmath>
 
 namespace drape::sim::contact {
 namespace {
@@ -9,22 +10,10 @@ namespace {
 constexpr double allowedThicknesses = 4.0;  // that a correction may exceed the largest motion of the step
 constexpr double ratioToPins = 3.0;         // of the speed of a vertex
 
-double largestDistance(std::span<const Vec3> from, std::span<const Vec3> to) {
-  double largest = 0.0;  // squared
-  for (std::size_t v = 0; v < from.size(); ++v) {
-    largest = std::max(largest, (to[v] - from[v]).squaredNorm());
-  }
-  return std::sqrt(largest);
-}
-
 }  // namespace
 
 double largestCorrection(std::span<const Vec3> start, std::span<const Vec3> end, double thickness) {
   return largestDistance(start, end) + allowedThicknesses * thickness;
-}
-
-bool exceeds(double limit, std::span<const Vec3> before, std::span<const Vec3> after) {
-  return largestDistance(before, after) > limit;
 }
 
 void limitCorrections(double limit, std::span<const Vec3> before, std::span<Vec3> after) {

@@ -11,14 +11,11 @@ namespace drape::sim::contact {
 /// @param start and end positions of the step before the correction [m]  @param thickness of the cloth [m]
 [[nodiscard]] double largestCorrection(std::span<const Vec3> start, std::span<const Vec3> end, double thickness);
 
-/// Whether a vertex is farther than `limit` from where it was before.
-[[nodiscard]] bool exceeds(double limit, std::span<const Vec3> before, std::span<const Vec3> after);
-
 /// Moves vertices that are farther than `limit` from where they were before back to that distance.
 void limitCorrections(double limit, std::span<const Vec3> before, std::span<Vec3> after);
 
-/// Limits the speed that self-collision may give a vertex to that of the fastest vertex before, or to thrice that of
-/// the fastest pin. Without moving pins there is no limit, since contact adds no energy then.
+/// Limits the speed that self-collision may give a vertex to that of the fastest vertex before, or to three times that
+/// of the fastest pin. Without moving pins there is no limit, since contact adds no energy then.
 /// @param inverseMass of the vertices; 0: pinned [1/kg]  @param pinSpeed of the fastest pin [m/s]
 /// @param before velocities without self-collision, and after with it [m/s]
 void limitSpeeds(std::span<const double> inverseMass, double pinSpeed, std::span<const Vec3> before,

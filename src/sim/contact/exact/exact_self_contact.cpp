@@ -164,13 +164,13 @@ void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) 
   }
   before_ = state.positions;
   solver_.solve(constraints_, goals_, inverseMass(step.model), impulseIterations, state.positions);
-  if (pinSpeed(step, before_) > 0.0) {
+  if (pinSpeed_ > 0.0) {
     limitCorrections(largestCorrection(step.start, before_, step.contact.thickness), before_, state.positions);
   }
 }
 
 /// The speed of the fastest pin in the step [m/s].
-double ExactSelfContact::pinSpeed(const ExactStep& step, std::span<const Vec3> end) {
+double ExactSelfContact::pinSpeedOf(const ExactStep& step, std::span<const Vec3> end) {
   double squared = 0.0;
   for (std::size_t v = 0; v < end.size(); ++v) {
     if (inverseMass(step.model)[v] == 0.0) {
@@ -195,7 +195,7 @@ int ExactSelfContact::solveVelocities(const ExactStep& step, ClothState& state, 
   }
   before_ = state.velocities;
   solver_.solve(active_, goals_, inverseMass(step.model), impulseIterations, state.velocities);
-  limitSpeeds(inverseMass(step.model), pinSpeed(step, state.positions), before_, state.velocities);
+  limitSpeeds(inverseMass(step.model), pinSpeed_, before_, state.velocities);
   return static_cast<int>(active_.size());
 }
 
@@ -203,6 +203,7 @@ int ExactSelfContact::resolve(const ExactStep& step, ClothState& state, std::vec
   findContactsAtEnd(step, state.positions);
   predicted_.clear();
   guard_.begin();
+  pinSpeed_ = pinSpeedOf(step, state.positions);
   int active = 0;
   if (!contacts_.empty()) {
     solvePositions(step, state);
@@ -282,7 +283,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
                                               .patches = nullptr,
                                               .thickness = step.contact.thickness,
                                               .reach = reachRatio * step.contact.thickness,
-                                              .obstaclesMove = bodiesMove || pinSpeed(step, before_) > 0.0,
+                                              .obstaclesMove = bodiesMove || pinSpeed_ > 0.0,
                                               .threads = step.parameters.threads},
                                              state.positions, memory->patches);
   const Vec3 commonVelocity = common / step.parameters.timeStep;

@@ -79,7 +79,7 @@ class ExactSelfContact {
                     std::vector<SubstepContact>& found);
   void findContactsAtEnd(const ExactStep& step, const std::vector<Vec3>& predicted);
   void solvePositions(const ExactStep& step, ClothState& state);
-  [[nodiscard]] double pinSpeed(const ExactStep& step, std::span<const Vec3> end);
+  [[nodiscard]] double pinSpeedOf(const ExactStep& step, std::span<const Vec3> end);
   int solveVelocities(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
   void recover(const ExactStep& step, ClothState& state);
   void findEntangledAt(const ExactStep& step);
@@ -103,6 +103,7 @@ class ExactSelfContact {
   std::vector<Vec3> wanted_;             // positions before a round of the guard [m]
   std::vector<Vec3> fallback_;           // [m]
   std::vector<EdgeCrossing> crossings_;  // at the start
+  double pinSpeed_ = 0.0;                // of the fastest pin in the step [m/s]
   std::vector<char> entangled_;          // vertices of these; empty if there are none
   Workers workers_;
 };

@@ -3,6 +3,7 @@
 #include "sim/contact/exact/corrections.hpp"
 #include "sim/contact/exact/near_pairs.hpp"
 #include "sim/contact/exact/pair_contacts.hpp"
+#include "sim/model/distances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ constexpr double guardedSeparation = 0.1;  // that pairs keep, in their thicknes
 constexpr int maxSweepRounds = 6;
 constexpr int maxSweepRoundsOfPart = 40;
 constexpr int sweepsOfRound = 8;
-constexpr int maxSearches = 500;         // in a step, to keep pairs apart
+constexpr int maxSearches = 500;         // in a step; then the guard only moves cloth back
 constexpr int maxSweepRoundsInVain = 6;  // in which no fewer pairs are too close than before
 constexpr int maxPlaneRounds = 40;
 constexpr std::array partsOfMotion{4, 16};  // into which a motion is divided that cannot be guarded at once
@@ -152,8 +153,8 @@ bool PairGuard::find(const Inputs& inputs, PairSearch& search, Workers& workers,
   return !found_.empty();
 }
 
-/// Whether pairs are too close, and there is time to keep them apart.
-bool PairGuard::mayTryOn() const {
+/// Whether pairs are too close, and further searches for them are allowed.
+bool PairGuard::mayContinue() const {
   return !found_.empty() && searches_ < maxSearches;
 }
 
@@ -167,11 +168,11 @@ void PairGuard::sweep(const Inputs& inputs, const Limits& limits, PairSearch& se
   unswept_.assign(positions.begin(), positions.end());
   std::size_t minFound = found_.size();
   int roundsInVain = 0;
-  for (int round = 0; mayTryOn() && round < limits.sweepRounds && roundsInVain < maxSweepRoundsInVain; ++round) {
+  for (int round = 0; mayContinue() && round < limits.sweepRounds && roundsInVain < maxSweepRoundsInVain; ++round) {
     for (int i = 0; i < sweepsOfRound; ++i) {
       moveApart(inputs, positions);
     }
-    if (exceeds(limits.correction, unswept_, positions)) {
+    if (largestDistance(unswept_, positions) > limits.correction) {
       std::ranges::copy(unswept_, positions.begin());
       round = limits.sweepRounds;
     }
@@ -200,7 +201,7 @@ PairGuard::Result PairGuard::applyAtOnce(const Inputs& inputs, int sweepRounds, 
   planes_.assign(inputs.bodyPlanes.begin(), inputs.bodyPlanes.end());
   const auto fallbackOf = [&](int, int vertex) { return inputs.fallback[vertex]; };
   std::size_t planned = 0;
-  for (int round = 0; round < maxPlaneRounds && mayTryOn() && planned < guarded_.size(); ++round) {
+  for (int round = 0; round < maxPlaneRounds && mayContinue() && planned < guarded_.size(); ++round) {
     addPlanes(inputs, planned);
     planned = guarded_.size();
     std::copy(wanted_.begin(), wanted_.end(), positions.begin());
@@ -261,7 +262,7 @@ PairGuard::Result PairGuard::applyInParts(const Inputs& inputs, int parts, PairS
     part.fallback = partFallback_;
     part.bodyPlanes = partPlanes_;
     Result ofPart = applyAtOnce(part, maxSweepRoundsOfPart, search, workers, positions);
-    if (ofPart.crossings > 0 && (parts == partsOfMotion.back() || !mayTryOn())) {
+    if (ofPart.crossings > 0 && (parts == partsOfMotion.back() || !mayContinue())) {
       ofPart = stop(part, search, workers, positions);
     }
     result.crossings += ofPart.crossings;
@@ -280,7 +281,6 @@ PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Wor
        ++parts) {
     result = applyInParts(inputs, *parts, search, workers, positions);
   }
-
   return result;
 }
 

@@ -50,7 +50,7 @@ class PairGuard {
   /// Begins a step, in which `apply` can be called several times.
   void begin() { searches_ = 0; }
 
-  /// Changes `positions`, the end of the step. After many searches in a step it does not try on to keep pairs apart.
+  /// Changes `positions`, the end of the step. After many searches in a step it only moves cloth back.
   Result apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
 
  private:
@@ -60,7 +60,7 @@ class PairGuard {
     std::uint64_t key = 0;
   };
 
-  /// Of the guard of one motion.
+  /// How far and how long sweeps may move vertices.
   struct Limits {
     int sweepRounds = 0;
     double correction = 0.0;  ///< of a vertex [m]
@@ -73,7 +73,7 @@ class PairGuard {
   Result applyInParts(const Inputs& inputs, int parts, PairSearch& search, Workers& workers, std::span<Vec3> positions);
   void findCrossing(const Inputs& inputs, const PairSearch& search, Workers& workers, std::span<const Vec3> positions);
   void guardFound();
-  [[nodiscard]] bool mayTryOn() const;
+  [[nodiscard]] bool mayContinue() const;
   bool find(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<const Vec3> positions);
   bool moveBackFound(const Inputs& inputs, std::span<const Vec3> target, std::span<Vec3> positions) const;
   Result stop(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);
