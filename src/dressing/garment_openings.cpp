@@ -1,5 +1,6 @@
 #include "dressing/garment_openings.hpp"
 
+#include "dressing/open_neckline.hpp"
 #include "scene/boundary_loops.hpp"
 #include "sim/model/bounds.hpp"
 
@@ -154,6 +155,15 @@ bool hangsBehind(const scene::ClothPieces& pieces, double middle, const Eigen::A
   });
 }
 
+/// Whether the gap is towards -z.
+bool isOpenBehind(const OpenNeckline& neckline) {
+  constexpr double clear = 0.1;  // of the width
+  return neckline.gap.z() < neckline.centre.z() - clear * neckline.width;
+}
+
+/// A neck opening is narrower than the shoulders by this factor; a skirt is less flared below its waist.
+constexpr double shoulders = 2.0;
+
 }  // namespace
 
 bool isLeg(OpeningKind kind) {
@@ -176,7 +186,6 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
     facesBack_ = loops.front().centre.z() < middle;
     loops.erase(loops.begin());
   } else if (!loops.empty() && isHighest(loops.front(), box)) {
-    constexpr double shoulders = 2.0;  // over the width of a neck opening; a skirt is less flared
     const scene::BoundaryLoop& loop = loops.front();
     const bool isSheet = hasOutline(pieces, loop.piece);  // with a hole for the head: a poncho, an apron
     const bool isNeck = hasSleeves || isSheet || widthBelowTop(garment, box) > shoulders * widthOf(loop);
@@ -185,7 +194,8 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
         {isNeck ? OpeningKind::Neck : OpeningKind::Waist, loops.front().vertices, loops.front().centre});
     loops.erase(loops.begin());
   } else {
-    facesBack_ = hasSleeves && hangsBehind(pieces, middle, box);
+    takeOpenNeckline(garment, pieces);
+    facesBack_ = hasSleeves ? hangsBehind(pieces, middle, box) : facesBack_;
   }
   for (const scene::BoundaryLoop& loop : loops) {
     openings_.push_back({OpeningKind::Hem, loop.vertices, loop.centre});
@@ -193,6 +203,19 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
   if (facesBack_) {
     swapSides();
   }
+}
+
+/// Adds the neck or the waist of a garment that is open from top to bottom.
+void GarmentOpenings::takeOpenNeckline(const sim::ClothMesh& garment, const scene::ClothPieces& pieces) {
+  const std::optional<OpenNeckline> found = findOpenNeckline(garment, pieces);
+  if (!found) {
+    return;
+  }
+  const bool hasSleeves = find(OpeningKind::LeftSleeve) != nullptr;
+  const bool isNeck =
+      hasSleeves || widthBelowTop(garment, sim::boundsOf(garment.positions)) > shoulders * found->width;
+  openings_.push_back({isNeck ? OpeningKind::Neck : OpeningKind::Waist, found->vertices, found->centre});
+  facesBack_ = isOpenBehind(*found);
 }
 
 /// Exchanges left and right.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dressing/body_parts.hpp"
+#include "scene/boundary_loops.hpp"
 #include "sim/model/cloth_model.hpp"
 
 #include <optional>
@@ -22,7 +23,8 @@ struct Opening {
   Vec3 centre = Vec3::Zero();  ///< at the start [m]
 };
 
-/// The openings of a garment, from its boundary loops.
+/// The openings of a garment, from its boundary loops. The neckline of a garment that is open from top to bottom counts
+/// as an opening, with a straight line across the gap.
 class GarmentOpenings {
  public:
   /// @param garment upright, its front towards +z or -z [m]
@@ -31,11 +33,12 @@ class GarmentOpenings {
   [[nodiscard]] std::span<const Opening> all() const { return openings_; }
   /// The first of a kind; null if there is none.
   [[nodiscard]] const Opening* find(OpeningKind kind) const;
-  /// Whether its front is towards -z: the neck opening is lower there, a hood or a vest is open there, or an apron
-  /// hangs there. False if it cannot be told.
+  /// Whether its front is towards -z: the neck opening is lower there, a hood, a vest or a cape is open there, or
+  /// an apron hangs there. False if it cannot be told.
   [[nodiscard]] bool facesBack() const { return facesBack_; }
 
  private:
+  void takeOpenNeckline(const sim::ClothMesh& garment, const scene::ClothPieces& pieces);
   void swapSides();
 
   std::vector<Opening> openings_;

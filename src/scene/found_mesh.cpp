@@ -17,6 +17,7 @@ FoundMesh foundIn(const io::ImportedMesh& mesh) {
   return {.format = mesh.format,
           .extent = Vec3(size[0], size[1], size[2]),
           .upOfShape = upOfShape(mesh.cloth),
+          .fullness = fullnessOf(mesh.cloth),
           .pieces = mesh.summary.components,
           .vertices = mesh.summary.vertices,
           .triangles = mesh.summary.triangles,
@@ -61,7 +62,7 @@ FoundMesh findMesh(const std::string& file, const io::ImportWatch& watch) {
 }
 
 MeshReading readingOf(const FoundMesh& found, const ReadingChoice& choice, io::MeshUse use) {
-  return readingOf({found.format, found.extent, [&] { return found.upOfShape; }}, choice, use);
+  return readingOf({found.format, found.extent, [&] { return found.upOfShape; }, found.fullness}, choice, use);
 }
 
 MeshReading readingBeside(const FoundMesh& found, const ReadingChoice& choice, const MeshReading& cloth) {
@@ -96,7 +97,9 @@ Sentence unitReasonInWords(const FoundMesh& found, const MeshReading& reading, i
     case ReadingReason::Format:
       return Sentence("as the file format prescribes");
     case ReadingReason::Shape:
-      return use == io::MeshUse::Body ? Sentence("the size of a person") : Sentence("the size of a garment");
+      return use != io::MeshUse::Body  ? Sentence("the size of a garment")
+             : isTorso(found.fullness) ? Sentence("the size of a torso")
+                                       : Sentence("the size of a person");
     case ReadingReason::LikeCloth:
       return Sentence("a guess: as for the cloth");
     case ReadingReason::Unknown:

@@ -14,6 +14,7 @@ struct FoundMesh {
   io::FormatFacts format = {};
   Vec3 extent = Vec3::Zero();  ///< of the box around it, in the axes and the unit of the file
   std::string upOfShape;       ///< the up axis by its shape; empty where the shape does not show it
+  double fullness = 0.0;       ///< see fullnessOf
   int pieces = 0;              ///< that are connected by edges
   int vertices = 0;            ///< after the weld
   int triangles = 0;

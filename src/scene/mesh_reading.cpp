@@ -4,6 +4,7 @@
 #include "scene/mesh_placement.hpp"
 #include "scene/unit_guess.hpp"
 #include "scene/up_guess.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -52,7 +53,7 @@ void turn(io::ImportedMesh& mesh, const std::string& up) {
 void readUnit(const std::string& choice, const ReadingEvidence& evidence, io::MeshUse use, MeshReading& reading) {
   const double largestExtent = evidence.extent.maxCoeff();
   const std::optional<double>& prescribed = evidence.format.metresPerUnit;
-  const UnitGuess guess = guessUnit(largestExtent, use);
+  const UnitGuess guess = guessUnit(largestExtent, use, evidence.fullness);
   const bool shows = guess.isUsual && !(use == io::MeshUse::Cloth && isFlat(evidence.extent));
   reading.unitReason = choice != guessed ? ReadingReason::Chosen
                        : prescribed      ? ReadingReason::Format
@@ -110,6 +111,17 @@ std::string upOfShape(const sim::ClothMesh& mesh) {
   return guess.margin > 0.0 ? axes[static_cast<std::size_t>(guess.axis)] : "";
 }
 
+double fullnessOf(const sim::ClothMesh& mesh) {
+  const Eigen::AlignedBox3d box = sim::boundsOf(mesh.positions);
+  double volume = 0.0;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto corner = [&](std::size_t k) -> Vec3 { return mesh.positions[triangle[k]] - box.center(); };
+    volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
+  }
+  const double largest = mesh.positions.empty() ? 0.0 : box.sizes().maxCoeff();
+  return largest > 0.0 ? std::abs(volume) / (largest * largest * largest) : 0.0;
+}
+
 MeshReading readingOf(const ReadingEvidence& evidence, const ReadingChoice& choice, io::MeshUse use) {
   MeshReading reading;
   readUnit(choice.unit, evidence, use, reading);
@@ -122,7 +134,8 @@ MeshReading readingOf(const ReadingEvidence& evidence, const ReadingChoice& choi
 MeshReading readUpright(const settings::Settings::Mesh& settings, io::ImportedMesh& mesh, io::MeshUse use) {
   const std::array<double, 3>& size = mesh.summary.size;
   const ReadingEvidence evidence{mesh.format, Vec3(size[0], size[1], size[2]) / metresPerUnitOf(settings),
-                                 [&] { return upOfShape(mesh.cloth); }};
+                                 [&] { return upOfShape(mesh.cloth); },
+                                 use == io::MeshUse::Body ? fullnessOf(mesh.cloth) : 0.0};
   MeshReading reading = readingOf(evidence, {settings.unit, settings.up}, use);
   if (settings.unit == guessed) {
     scale(mesh, reading.metresPerUnit);

@@ -64,10 +64,14 @@ struct ReadingEvidence {
   Vec3 extent = Vec3::Zero();  ///< of the box around it, in the axes and the unit of the file
   /// The up axis by its shape; empty where the shape does not show it. Called only if it decides.
   std::function<std::string()> upOfShape;
+  double fullness = 0.0;  ///< of a body, see fullnessOf; 0: not known
 };
 
 /// The up axis by the shape of a mesh: "y" or "z". Empty where the shape does not show it.
 [[nodiscard]] std::string upOfShape(const sim::ClothMesh& mesh);
+
+/// The volume of a body over the cube of its largest extent [-]. Holes count as if they were closed.
+[[nodiscard]] double fullnessOf(const sim::ClothMesh& mesh);
 
 /// Takes unit and up axis from the choice, or for "auto" from the file format, or else guesses them. The size of a flat
 /// sheet is that of anything, so its unit is Unknown. @param use a body is compared with persons

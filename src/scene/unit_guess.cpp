@@ -40,14 +40,27 @@ constexpr std::array<UsualSize, 4> sizesOfCloth{{{0.75, 0.25, 0.45},   // T-shir
 constexpr std::array<UsualSize, 2> sizesOfBodies{{{1.7, 0.1, 0.8},    // adults
                                                   {1.1, 0.3, 0.2}}};  // children, and busts of adults
 
-std::span<const UsualSize> usualSizes(io::MeshUse use) {
-  return use == io::MeshUse::Body ? std::span<const UsualSize>(sizesOfBodies) : sizesOfCloth;
+constexpr std::array<UsualSize, 1> sizesOfTorsos{{{0.75, 0.25, 1.0}}};
+
+/// What has a usual size.
+struct Kind {
+  std::span<const UsualSize> sizes;
+  double smallest;  ///< of the usual sizes [m]
+  double largest;   ///< [m]
+};
+
+Kind kindOf(io::MeshUse use, double fullness) {
+  if (use != io::MeshUse::Body) {
+    return {sizesOfCloth, smallestGarment, largestGarment};
+  }
+  return isTorso(fullness) ? Kind{sizesOfTorsos, smallestTorso, largestTorso}
+                           : Kind{sizesOfBodies, smallestPerson, largestPerson};
 }
 
 /// The frequency of objects of that size; only ratios are meaningful.
-double frequency(double metres, io::MeshUse use) {
+double frequency(double metres, std::span<const UsualSize> sizes) {
   double sum = 0.0;
-  for (const UsualSize& size : usualSizes(use)) {
+  for (const UsualSize& size : sizes) {
     const double apart = std::log(metres / size.metres) / size.spread;
     sum += size.share / size.spread * std::exp(-0.5 * apart * apart);
   }
@@ -59,10 +72,6 @@ double misfit(double metres) {
   return std::max({1.0, smallestGarment / metres, metres / largestGarment});
 }
 
-bool isUsual(double metres, io::MeshUse use) {
-  return use == io::MeshUse::Body ? metres >= smallestPerson && metres <= largestPerson : misfit(metres) <= 1.0;
-}
-
 const LengthUnit* findUnit(std::string_view word) {
   const auto found =
       std::find_if(usualUnits.begin(), usualUnits.end(), [&](const auto& entry) { return entry.unit.word == word; });
@@ -70,6 +79,10 @@ const LengthUnit* findUnit(std::string_view word) {
 }
 
 }  // namespace
+
+bool isTorso(double fullness) {
+  return fullness > 0.04 && fullness < 0.3;
+}
 
 double metresPerUnit(std::string_view unit) {
   const LengthUnit* known = findUnit(unit);
@@ -87,7 +100,7 @@ text::Sentence unitInWords(std::string_view unit) {
   return known != nullptr ? text::Sentence(known->plural) : text::Sentence("units of {} m", unit);
 }
 
-UnitGuess guessUnit(double largestExtent, io::MeshUse use) {
+UnitGuess guessUnit(double largestExtent, io::MeshUse use, double fullness) {
   struct Candidate {
     const LengthUnit* unit;
     double misfit;
@@ -97,16 +110,18 @@ UnitGuess guessUnit(double largestExtent, io::MeshUse use) {
   if (!(largestExtent > 0.0)) {
     return guess;
   }
+  const Kind kind = kindOf(use, fullness);
   std::vector<Candidate> candidates;
   for (const UsualUnit& each : usualUnits) {
     const double metres = each.unit.metres * largestExtent;
-    candidates.push_back({&each.unit, misfit(metres), each.files * frequency(metres, use)});
+    candidates.push_back({&each.unit, misfit(metres), each.files * frequency(metres, kind.sizes)});
   }
   std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return std::pair(a.misfit, -a.likelihood) < std::pair(b.misfit, -b.likelihood);
   });
   guess.unit = candidates.front().unit->word;
-  guess.isUsual = isUsual(candidates.front().unit->metres * largestExtent, use);
+  const double metres = candidates.front().unit->metres * largestExtent;
+  guess.isUsual = metres >= kind.smallest && metres <= kind.largest;
   constexpr double negligible = 2e-3;  // relative to the likeliest
   for (std::size_t i = 1; i < candidates.size() && candidates[i].misfit <= 1.0; ++i) {
     if (candidates[i].likelihood > negligible * candidates.front().likelihood) {

@@ -17,6 +17,10 @@ inline constexpr double largestGarment = 2.5;
 inline constexpr double smallestPerson = 0.9;
 inline constexpr double largestPerson = 2.2;
 
+/// The range of the largest extent of a torso without legs, such as a dress form [m].
+inline constexpr double smallestTorso = 0.4;
+inline constexpr double largestTorso = 1.1;
+
 /// A unit of length of mesh files.
 struct LengthUnit {
   std::string_view word;    ///< the value of the setting `unit`: "cm"
@@ -37,13 +41,18 @@ struct LengthUnit {
 struct UnitGuess {
   std::string unit = "m";
   std::vector<std::string> others;  ///< other units that give a usual size, likeliest first
-  bool isUsual = false;             ///< whether the unit gives the size of a garment, or for a body that of a person
+  bool isUsual = false;             ///< whether it gives the size of a garment, or for a body that of a person or a torso
 };
+
+/// Whether a body is a torso without legs. Persons fill 0.01 to 0.03 of the cube around them, also those who sit; a
+/// ball fills 0.5. @param fullness its volume over the cube of its largest extent [-]
+[[nodiscard]] bool isTorso(double fullness);
 
 /// Guesses the unit from the largest extent of the bounding box in file units. It takes the likeliest of the units that
 /// give a garment of 0.2 to 2.5 m: T-shirts have about 0.75 m, dresses 1.2 m, bodies 1.7 m, and metres and centimetres
-/// are the most common units. A body is compared with persons alone: adults have about 1.7 m, children 1.1 m. If no
-/// unit fits, it takes the closest one.
-[[nodiscard]] UnitGuess guessUnit(double largestExtent, io::MeshUse use = io::MeshUse::Cloth);
+/// are the most common units. A body is compared with persons: adults have about 1.7 m, children 1.1 m. A torso without
+/// legs has about 0.75 m. If no unit fits, it takes the closest one. @param fullness of a body, see isTorso; 0: not
+/// known
+[[nodiscard]] UnitGuess guessUnit(double largestExtent, io::MeshUse use = io::MeshUse::Cloth, double fullness = 0.0);
 
 }  // namespace drape::scene

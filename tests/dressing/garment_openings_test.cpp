@@ -70,6 +70,37 @@ TEST(GarmentOpenings, ofACardiganAreSleevesAndShowItsFront) {
   EXPECT_LT(turned.find(OpeningKind::LeftSleeve)->centre.x(), 0.0);
 }
 
+TEST(GarmentOpenings, ofACapeThatIsOpenAtTheFrontAreANeckAndShowItsFront) {
+  for (const double gap : {10.0, 40.0, 100.0}) {
+    const sim::ClothMesh cape = shapes::openCape(gap, 0.9);
+    const GarmentOpenings openings(cape);
+    ASSERT_EQ(openings.all().size(), 1U) << gap;
+    const Opening* neck = openings.find(OpeningKind::Neck);
+    ASSERT_NE(neck, nullptr) << gap;
+    EXPECT_NEAR(neck->centre.y(), 0.9, 0.05) << gap;
+    EXPECT_NEAR(neck->centre.x(), 0.0, 0.01) << gap;
+    EXPECT_FALSE(openings.facesBack()) << gap;
+    EXPECT_TRUE(GarmentOpenings(turnedRound(cape)).facesBack()) << gap;
+  }
+}
+
+TEST(GarmentOpenings, ofAWrapSkirtAreAWaist) {
+  sim::ClothMesh skirt = shapes::openCape(20.0, 0.6);
+  for (Vec3& position : skirt.positions) {  // a cylinder is nearer to it than a cone
+    const double radius = std::hypot(position.x(), position.z());
+    const double narrow = (0.14 + 0.3 * (radius - 0.1)) / radius;
+    position = Vec3(narrow * position.x(), position.y(), narrow * position.z());
+  }
+  const GarmentOpenings openings(skirt);
+  ASSERT_EQ(openings.all().size(), 1U);
+  EXPECT_NE(openings.find(OpeningKind::Waist), nullptr);
+}
+
+TEST(GarmentOpenings, ofSheetsThatHangOrLieAreNone) {
+  EXPECT_TRUE(GarmentOpenings(shapes::sheet(0, 1, 1.0, 1.5, 21)).all().empty());
+  EXPECT_TRUE(GarmentOpenings(shapes::sheet(0, 2, 1.0, 1.5, 21)).all().empty());
+}
+
 TEST(GarmentOpenings, ofAnApronAreANeckAndShowItsFront) {
   const GarmentOpenings apron(shapes::apron());
   ASSERT_EQ(apron.all().size(), 1U);

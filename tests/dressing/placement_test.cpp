@@ -98,6 +98,19 @@ TEST(Wearing, namesALegThatIsBesideItsTrouserLeg) {
   }
 }
 
+TEST(Placement, putsACapeThatIsOpenAtTheFrontAroundTheNeck) {
+  const ShrinkingBody body(figure());
+  for (const double quarters : {0.0, 2.0}) {
+    sim::ClothMesh cape = scene::testing::openCape(40.0, 0.9);
+    cape.positions = moved(cape.positions, farAway(quarters));
+    const Placement placement = place(cape, body, BodyParts(body), PlacementRule::Auto, noProgress);
+    EXPECT_EQ(placement.rule, PlacementRule::Landmarks);
+    cape.positions = moved(cape.positions, placement.pose);
+    EXPECT_EQ(faultsOf(cape, body), 0U) << quarters;
+    EXPECT_FALSE(GarmentOpenings(cape).facesBack()) << quarters;
+  }
+}
+
 TEST(Placement, putsAHoodOverTheHeadWithItsOpeningInFront) {
   const ShrinkingBody body(figure());
   const Vec3 head(0.0, 1.62, 0.02);

@@ -76,6 +76,21 @@ TEST_F(FoundMeshTest, APersonIsAsTallInAnyUnitAndTurn) {
   }
 }
 
+TEST_F(FoundMeshTest, ADressFormIsAsTallInAnyUnit) {
+  sim::ClothMesh form = testing::figure(45.0);
+  std::erase_if(form.triangles, [&](const Triangle& t) {  // its trunk and neck, open below
+    const Vec3 centre = (form.positions[t[0]] + form.positions[t[1]] + form.positions[t[2]]) / 3.0;
+    return centre.y() < 0.75 || centre.y() > 1.5 || std::abs(centre.x()) > 0.21;
+  });
+  for (const auto& [unit, perMetre] : unitsPerMetre()) {
+    const FoundMesh found = find(testing::scaled(form, perMetre));
+    const MeshReading reading = readingOf(found, {}, MeshUse::Body);
+    EXPECT_EQ(reading.unit, unit);
+    EXPECT_NEAR(reading.size[1], 0.75, 0.05) << unit;
+    EXPECT_EQ(unitReasonInWords(found, reading, MeshUse::Body), "the size of a torso");
+  }
+}
+
 TEST_F(FoundMeshTest, AGarmentOfThreePiecesIsCounted) {
   const sim::ClothMesh shirt = testing::shirt({});
   const sim::ClothMesh cuff = testing::tube(0.1, 0.08, 0.08, 1.0);

@@ -167,6 +167,30 @@ sim::ClothMesh tube(double height, double hem, double top, double depth) {
   });
 }
 
+sim::ClothMesh openCape(double gap, double length) {
+  constexpr int rows = 24;
+  constexpr int columns = 60;
+  sim::ClothMesh mesh;
+  for (int row = 0; row <= rows; ++row) {
+    const double t = static_cast<double>(row) / rows;
+    const double radius = 0.1 + 0.35 * std::pow(t, 0.7);
+    for (int column = 0; column <= columns; ++column) {
+      const double angle = (90.0 + 0.5 * gap + (360.0 - gap) * column / columns) * pi / 180.0;
+      mesh.positions.emplace_back(radius * std::cos(angle), length * (1.0 - std::pow(t, 1.3)),
+                                  radius * std::sin(angle));
+    }
+  }
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const int a = row * (columns + 1) + column;
+      const int b = a + columns + 1;
+      mesh.triangles.push_back({a, a + 1, b + 1});
+      mesh.triangles.push_back({a, b + 1, b});
+    }
+  }
+  return mesh;
+}
+
 sim::ClothMesh sock() {
   const auto solid = [](const Vec3& p) {
     const io::TaperedBar leg{Vec3(0, 0.05, 0), Vec3(0, 0.5, 0), 0.045, 0.055};
@@ -279,6 +303,12 @@ std::vector<TestShape> testShapes() {
   vest.sleeve = 0.55;
   vest.sleeveAngle = 40.0;
   shapes.push_back({"cardigan that is open at the front", shirt(vest)});
+  GarmentSizes waistcoat = tank;
+  waistcoat.neckDepth = 0.3;
+  waistcoat.frontGap = 0.02;
+  shapes.push_back({"waistcoat that is open at the front", shirt(waistcoat)});
+  shapes.push_back({"cape that is open at the front", openCape(40.0, 0.9)});
+  shapes.push_back({"short cape that is open at the front", openCape(90.0, 0.5)});
   shapes.push_back({"apron", apron()});
   shapes.push_back({"trousers", trousers(0.75)});
   shapes.push_back({"shorts", trousers(0.2)});

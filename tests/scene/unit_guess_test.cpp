@@ -35,6 +35,19 @@ TEST(UnitGuess, comparesABodyWithPersons) {
   EXPECT_TRUE(guessUnit(0.4).isUsual);
 }
 
+TEST(UnitGuess, comparesATorsoWithTorsos) {
+  constexpr double fullness = 0.09;  // of a dress form
+  EXPECT_TRUE(isTorso(fullness));
+  for (const double metres : {0.65, 0.75, 0.85}) {
+    for (const char* unit : {"m", "dm", "cm", "mm", "inch", "foot"}) {
+      const UnitGuess guess = guessUnit(metres / metresPerUnit(unit), io::MeshUse::Body, fullness);
+      EXPECT_EQ(guess.unit, unit) << metres;
+      EXPECT_TRUE(guess.isUsual) << unit;
+    }
+  }
+  EXPECT_EQ(guessUnit(78.0, io::MeshUse::Body).unit, "inch") << "a person";
+}
+
 TEST(UnitGuess, namesTheOtherUnitsThatMakeAGarment) {
   const UnitGuess shirt = guessUnit(77.0);
   EXPECT_EQ(shirt.unit, "cm");
