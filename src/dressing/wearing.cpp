@@ -2,8 +2,10 @@
 
 #include "dressing/closed_body.hpp"
 #include "dressing/inside.hpp"
+#include "sim/model/bounds.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -31,6 +33,33 @@ std::vector<BodyPart> partsThrough(OpeningKind kind) {
   return {};
 }
 
+/// The triangles of the trunk around the border of an arm. A wide armhole lies there, farther inside than the arm.
+std::vector<Triangle> shoulderOf(BodyPart arm, const ShrinkingBody& body, const BodyParts& parts) {
+  constexpr double reach = 0.05;  // of the height of the body
+  const std::vector<Vec3>& positions = body.frames().front();
+  std::vector<int> border;
+  for (const Triangle& triangle : body.triangles()) {
+    const bool touchesTrunk =
+        std::ranges::any_of(triangle, [&](int vertex) { return parts.ofVertex(vertex) == BodyPart::Trunk; });
+    std::ranges::copy_if(triangle, std::back_inserter(border),
+                         [&](int vertex) { return touchesTrunk && parts.ofVertex(vertex) == arm; });
+  }
+  Vec3 centre = Vec3::Zero();
+  for (const int vertex : border) {
+    centre += positions[vertex] / static_cast<double>(border.size());
+  }
+  double radius = 0.0;
+  for (const int vertex : border) {
+    radius = std::max(radius, (positions[vertex] - centre).norm());
+  }
+  radius += reach * sim::boundsOf(positions).sizes().y();
+  std::vector<Triangle> shoulder;
+  std::ranges::copy_if(body.triangles(), std::back_inserter(shoulder), [&](const Triangle& triangle) {
+    return parts.ofTriangle(triangle) == BodyPart::Trunk && (positions[triangle[0]] - centre).norm() < radius;
+  });
+  return shoulder;
+}
+
 /// Whether an opening is for one part of a person, so that it is wrong if this part does not pass through it.
 bool isForLimb(OpeningKind kind) {
   return isSleeve(kind) || isLeg(kind);
@@ -54,6 +83,9 @@ Wearing::Wearing(const ShrinkingBody& body, const BodyParts& parts, const Garmen
   for (const Triangle& triangle : body.triangles()) {
     trianglesOf_[parts.ofTriangle(triangle)].push_back(triangle);
   }
+  for (const BodyPart arm : {BodyPart::LeftArm, BodyPart::RightArm}) {
+    shoulders_[arm] = shoulderOf(arm, body, parts);
+  }
 }
 
 std::vector<intersection::TrianglePair> Wearing::intersecting(std::span<const Vec3> positions,
@@ -67,10 +99,13 @@ std::size_t Wearing::pairs(std::span<const Vec3> positions, const std::vector<Ve
 
 bool Wearing::passes(const Opening& opening, std::span<const Vec3> positions, const std::vector<Vec3>& body) const {
   const sim::ClothMesh span = spanning(opening, positions);
-  return std::ranges::any_of(partsThrough(opening.kind), [&](BodyPart part) {
-    const auto triangles = trianglesOf_.find(part);
-    return triangles != trianglesOf_.end() &&
+  const auto isCrossedBy = [&](const std::map<BodyPart, std::vector<Triangle>>& groups, BodyPart part) {
+    const auto triangles = groups.find(part);
+    return triangles != groups.end() &&
            !intersection::intersectingPairs({span.positions, span.triangles}, {body, triangles->second}).empty();
+  };
+  return std::ranges::any_of(partsThrough(opening.kind), [&](BodyPart part) {
+    return isCrossedBy(trianglesOf_, part) || isCrossedBy(shoulders_, part);
   });
 }
 

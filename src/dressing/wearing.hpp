@@ -71,6 +71,7 @@ class Wearing {
   const GarmentOpenings& openings_;
   std::span<const Triangle> garment_;
   std::map<BodyPart, std::vector<Triangle>> trianglesOf_;
+  std::map<BodyPart, std::vector<Triangle>> shoulders_;  // by arm: the trunk beside it
 };
 
 }  // namespace drape::dressing
