@@ -40,12 +40,12 @@ Placement placedBy(const DressingOptions& options, const sim::ClothMesh& garment
   return place(garment, body, parts, options.rule, [&](double share) { options.progress(Stage::Placing, share); });
 }
 
-/// The least shrunk frame from which on no triangle of the garment passes through the body; the thinnest one if there
-/// is none.
+/// The least shrunk frame in which no triangle of the garment passes through the body; the thinnest one if there is
+/// none. Limbs bend as they shrink, so a tight garment may fit the full body and not the thinnest one.
 std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const std::vector<Vec3>& positions) {
-  std::size_t frame = body.thinnest();
-  while (frame > 0 && wearing.pairs(positions, frame - 1) == 0) {
-    --frame;
+  std::size_t frame = 0;
+  while (frame < body.thinnest() && wearing.pairs(positions, frame) > 0) {
+    ++frame;
   }
   return frame;
 }
@@ -78,8 +78,8 @@ class Dresser {
 
   void run(std::vector<Vec3> positions, Dressed& result) const {
     result.before = pairsOf(positions);
-    result.atCentreLines = wearing_.faults(positions, body_.centreLines(), limbs_);
     const std::size_t frame = freeFrame(wearing_, body_, positions);
+    result.placedFaults = wearing_.faults(positions, frame, limbs_);
     result.shrunk = body_.wayTo(frame);
     result.positions = positions;
     result.after = result.before;

@@ -32,15 +32,15 @@ struct Pairs {
 /// A dressed body.
 struct Dressed {
   Placement placement;  ///< with `move` and `turn`
-  /// Whether the thinnest body is outside the triangles of the garment, and the garment outside it. Otherwise nothing
-  /// was moved.
+  /// Whether a shrunk body is outside the triangles of the garment, and the garment outside it. Otherwise nothing was
+  /// moved.
   bool fits = true;
   int openings = 0;     ///< of the garment
   int filledHoles = 0;  ///< of the body
   Pairs before;         ///< where the garment was placed
   Pairs after;
-  std::vector<Fault> atCentreLines;  ///< what is wrong with the centre lines where the garment was placed
-  std::vector<Fault> faults;         ///< what is wrong at the end
+  std::vector<Fault> placedFaults;  ///< what is wrong with the shrunk body where the garment was placed
+  std::vector<Fault> faults;        ///< what is wrong at the end
   double stretch = 0.0;              ///< at the end, of the tightest twentieth of the edges: 0.1 is a tenth longer [-]
   double shrunk = 0.0;               ///< the way of the vertex that moved most while the body was shrunk [m]
   std::vector<Vec3> positions;       ///< of the garment [m]
@@ -66,7 +66,7 @@ inline constexpr double largestHoles = 0.15;
                                 const sim::ClothMesh& body, const DressingOptions& options);
 
 /// Places a garment on a body and removes all intersections: the body is shrunk until no triangle of the garment passes
-/// through it, and grows again while it pushes the garment outwards (Fitting). The result is judged by the exact
+/// through it, as little as possible, and grows again while it pushes the garment outwards (Fitting). The result is judged by the exact
 /// intersection test.
 /// @param model of the garment, without pins  @param start positions in the coordinates of its file [m]
 /// @param body its triangles are counter-clockwise from outside, and its holes are filled [m]

@@ -76,8 +76,9 @@ Vec3 shiftByBoxes(const std::vector<Vec3>& garment, const ShrinkingBody& body, c
   return target - Vec3(box.center().x(), box.max().y() - above, box.center().z());
 }
 
-/// How bad a place is; lower is better. The centre lines count more than the full body, which pushes cloth outwards
-/// when it grows.
+/// How bad a place is; lower is better. The fewer triangles of the full body pass through the garment the better, if
+/// none of a shrunk body does. Otherwise the centre lines count more than the full body, which pushes cloth outwards when
+/// it grows.
 class Badness {
  public:
   Badness(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts,
@@ -88,25 +89,42 @@ class Badness {
   [[nodiscard]] double of(const std::vector<Vec3>& positions, double limit) {
     constexpr double missedOpening = 1e4;
     bend_.aim(openings_, positions);
-    double sum = missedOpening * static_cast<double>(wearing_.missed(positions, bend_.withFullLength()).size());
-    const std::array<std::pair<std::size_t, double>, 4> weights{
-        {{body_.thinnest(), 100.0}, {body_.centreLines(), 20.0}, {body_.centreLines() / 2, 2.0}, {0, 1.0}}};
-    for (const auto& [frame, weight] : weights) {
-      if (sum < limit) {
-        sum += weight * static_cast<double>(wearing_.pairs(positions, bend_.bent(frame)));
+    const double missed =
+        missedOpening * static_cast<double>(wearing_.missed(positions, bend_.withFullLength()).size());
+    if (missed >= limit) {
+      return missed;
+    }
+    const double full = pairs(positions, 0);
+    double sum = missed + full;
+    double fewest = full;
+    for (const auto& [frame, weight] : shrunk()) {
+      if (fewest > 0.0) {
+        const double here = pairs(positions, frame);
+        sum += weight * here;
+        fewest = std::min(fewest, here);
       }
     }
-    return sum;
+    return fewest > 0.0 ? sum : missed + full;
   }
 
-  /// Whether the centre lines are inside the garment and pass through its openings.
+  /// Whether a shrunk body is inside the garment, and the limbs pass through its openings.
   [[nodiscard]] bool isWorn(const std::vector<Vec3>& positions) {
     bend_.aim(openings_, positions);
+    const std::array<std::pair<std::size_t, double>, 3> frames = shrunk();
     return wearing_.missed(positions, bend_.withFullLength()).empty() &&
-           wearing_.pairs(positions, bend_.bent(body_.thinnest())) == 0;
+           (pairs(positions, 0) == 0.0 ||
+            std::ranges::any_of(frames, [&](const auto& each) { return pairs(positions, each.first) == 0.0; }));
   }
 
  private:
+  /// Frames of the shrunk body, and the weights of pairs there.
+  [[nodiscard]] std::array<std::pair<std::size_t, double>, 3> shrunk() const {
+    return {{{body_.thinnest(), 100.0}, {body_.centreLines(), 20.0}, {body_.centreLines() / 2, 2.0}}};
+  }
+  [[nodiscard]] double pairs(const std::vector<Vec3>& positions, std::size_t frame) const {
+    return static_cast<double>(wearing_.pairs(positions, bend_.bent(frame)));
+  }
+
   const ShrinkingBody& body_;
   const GarmentOpenings& openings_;
   ArmBend bend_;

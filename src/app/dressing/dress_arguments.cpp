@@ -65,9 +65,9 @@ void writeScene(const scene::Scene& scene, const DressArguments& arguments) {
 }
 
 void printNotes(const Dressed& result) {
-  if (!result.atCentreLines.empty() && result.before.body > 0) {
-    std::cerr << "note: where the garment was placed, the centre lines of the body are not inside it: "
-              << inWords(result.atCentreLines) << '\n';
+  if (result.fits && !result.placedFaults.empty() && result.before.body > 0) {
+    std::cerr << "note: where the garment was placed, the shrunk body was not inside it: "
+              << inWords(result.placedFaults) << '\n';
   }
   if (result.placement.rule == dressing::PlacementRule::Boxes) {
     std::cerr
