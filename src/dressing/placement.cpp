@@ -96,15 +96,15 @@ class Badness {
     }
     const double full = pairs(positions, 0);
     double sum = missed + full;
-    double fewest = full;
+    double minPairs = full;
     for (const auto& [frame, weight] : shrunk()) {
-      if (fewest > 0.0) {
+      if (minPairs > 0.0) {
         const double here = pairs(positions, frame);
         sum += weight * here;
-        fewest = std::min(fewest, here);
+        minPairs = std::min(minPairs, here);
       }
     }
-    return fewest > 0.0 ? sum : missed + full;
+    return minPairs > 0.0 ? sum : missed + full;
   }
 
   /// Whether a shrunk body is inside the garment, and the limbs pass through its openings.
