@@ -4,6 +4,7 @@
 #include "dressing/closed_body.hpp"
 #include "dressing/inside.hpp"
 #include "intersection/intersections.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
@@ -50,25 +51,6 @@ std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const s
   return frame;
 }
 
-/// The stretch that a twentieth of the edges exceeds [-]. A tight garment has 0.1.
-double stretchOf(const sim::ClothModel& model, const std::vector<Vec3>& positions) {
-  std::vector<double> stretches;
-  for (const Triangle& t : model.triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const int a = t[corner];
-      const int b = t[(corner + 1) % 3];
-      const double rest = (model.restPositions[b] - model.restPositions[a]).norm();
-      stretches.push_back(rest > 0.0 ? (positions[b] - positions[a]).norm() / rest - 1.0 : 0.0);
-    }
-  }
-  if (stretches.empty()) {
-    return 0.0;
-  }
-  const auto place = stretches.begin() + static_cast<std::ptrdiff_t>(stretches.size() - 1 - stretches.size() / 20);
-  std::ranges::nth_element(stretches, place);
-  return *place;
-}
-
 class Dresser {
  public:
   /// @param limbs the body with limbs of their full length, see Wearing::faults
@@ -101,7 +83,7 @@ class Dresser {
     settle(fitting);
     result.positions = fitting.positions();
     result.after = pairsOf(result.positions);
-    result.stretch = stretchOf(model_, result.positions);
+    result.stretch = sim::strainOfTightest(model_, result.positions);
     result.faults = wearing_.faults(result.positions, 0, body_.frames().front());
   }
 

@@ -1,5 +1,6 @@
 #include "session/open_seams.hpp"
 
+#include "sim/forces/diagnostics.hpp"
 #include "text/number_text.hpp"
 
 #include <fmt/core.h>
@@ -11,6 +12,16 @@ constexpr double lateAfter = 2.0;  // in durations of the seam
 constexpr double mmPerMetre = 1000.0;
 
 }  // namespace
+
+text::Sentence tightSewingInWords(const sim::ClothModel& model, const sim::ClothState& state) {
+  constexpr double percent = 100.0;
+  const double strain = sim::strainOfTightest(model, state.positions);
+  return strain > sim::tooTight
+             ? text::Sentence("Where it is tightest the sewn cloth is stretched by {} %: its pieces are too small for "
+                              "the body, or their unit is another one.",
+                              text::roundedFigure(percent * strain))
+             : text::Sentence();
+}
 
 text::Sentence lateSeamsInWords(std::span<const sim::Seam> open, const sim::ClothState& state) {
   long long late = 0;

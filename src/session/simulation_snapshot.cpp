@@ -28,6 +28,10 @@ void Simulation::capture(Snapshot& snapshot) const {
   if (snapshot.message.empty()) {
     snapshot.message = lateSeamsInWords(cloth_.openSeams(), state_);
   }
+  const bool isSewn = cloth_.hasSeams() && cloth_.openSeams().empty();
+  if (snapshot.message.empty() && isSewn && snapshot.maxStretch > sim::tooTight) {
+    snapshot.message = tightSewingInWords(*model_, state_);
+  }
   snapshot.overstretched.reset();
   if (snapshot.maxStretch > implausibleStretch) {
     snapshot.overstretched = diagnoseStretch(*scene_, settings_, *model_, state_, inputs_.attachment.has_value());

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace drape::session {
@@ -30,6 +31,33 @@ TEST(LateSeams, countOnlyThoseThatAreLate) {
                                     {.pairs = {{0, 1}}, .duration = 0.4, .start = 0.0}};
   const std::string words = lateSeamsInWords(open, twoPairs(2.0)).english();
   EXPECT_TRUE(words.starts_with("2 seams are still open: their sides are up to 5 mm apart")) << words;
+}
+
+/// A strip of 20 squares with 4 cm sides along x, which is longer by a strain. @param strained how many of them are
+sim::ClothState stretchedStrip(const sim::ClothModel& model, double strain, int strained) {
+  sim::ClothState state = sim::stateAtRest(model.restPositions);
+  for (Vec3& position : state.positions) {
+    position.x() += strain * std::min(position.x(), 0.04 * strained);
+  }
+  return state;
+}
+
+TEST(TightSewing, isNamedIfATwentiethOfTheEdgesIsStretchedFar) {
+  sim::ClothMesh strip;
+  for (int i = 0; i <= 20; ++i) {
+    strip.positions.emplace_back(0.04 * i, 0.0, 0.0);
+    strip.positions.emplace_back(0.04 * i, 0.04, 0.0);
+  }
+  for (int i = 0; i < 20; ++i) {
+    strip.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    strip.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  const auto model = sim::buildClothModel(strip, 0.1, sim::MassLumping::Area, {});
+  EXPECT_TRUE(tightSewingInWords(*model, stretchedStrip(*model, 0.2, 20)).empty());
+  EXPECT_TRUE(tightSewingInWords(*model, stretchedStrip(*model, 0.6, 1)).empty()) << "a few edges";
+  EXPECT_EQ(tightSewingInWords(*model, stretchedStrip(*model, 0.6, 20)).english(),
+            "Where it is tightest the sewn cloth is stretched by 60 %: its pieces are too small for the body, or their "
+            "unit is another one.");
 }
 
 }  // namespace

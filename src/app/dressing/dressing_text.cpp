@@ -190,8 +190,7 @@ Sentence summaryOf(const dressing::Dressed& result, bool isByHand) {
                              : inWords(result.placement.rule);
   Sentence words("{}; {} intersected there, and {} at the end", place, inWords(result.before), inWords(result.after));
   words.append(": ", inWords(result.faults));
-  constexpr double tight = 0.25;
-  if (result.stretch > tight) {
+  if (result.stretch > sim::tooTight) {
     words.append("; ",
                  Sentence("where it is tightest the garment is stretched by {} %, so it is too small or its unit is "
                           "another one",

@@ -44,6 +44,21 @@ double maxStretch(const ClothModel& model, const ClothState& state) {
   return largest;
 }
 
+double strainOfTightest(const ClothModel& model, std::span<const Vec3> positions) {
+  std::vector<double> strains;
+  strains.reserve(model.springs.size());
+  for (const Spring& spring : model.springs) {
+    const double length = (positions[spring.b] - positions[spring.a]).norm();
+    strains.push_back(spring.restLength > 0.0 ? length / spring.restLength - 1.0 : 0.0);
+  }
+  if (strains.empty()) {
+    return 0.0;
+  }
+  const auto place = strains.begin() + static_cast<std::ptrdiff_t>(strains.size() - 1 - strains.size() / 20);
+  std::ranges::nth_element(strains, place);
+  return *place;
+}
+
 double meanEdge(const ClothModel& model) {
   if (model.springs.empty()) {
     return 0.0;

@@ -4,6 +4,8 @@
 #include "sim/model/cloth_model.hpp"
 #include "sim/model/cloth_state.hpp"
 
+#include <span>
+
 namespace drape::sim {
 
 /// Mechanical energy of a cloth [J].
@@ -22,6 +24,12 @@ struct Energy {
 
 /// The largest strain of an edge, (L - l0) / l0 [-]; 0 if no edge is stretched.
 [[nodiscard]] double maxStretch(const ClothModel& model, const ClothState& state);
+
+/// The strain that a twentieth of the edges exceeds [-]; 0 without edges. A tight garment has 0.1.
+[[nodiscard]] double strainOfTightest(const ClothModel& model, std::span<const Vec3> positions);
+
+/// The strain of tightest edges above which a garment is too small [-].
+inline constexpr double tooTight = 0.25;
 
 /// The mean rest length of the edges [m]; 0 without edges.
 [[nodiscard]] double meanEdge(const ClothModel& model);
