@@ -108,6 +108,9 @@ ImportReply replyAbout(const fs::path& file, std::vector<std::string> task, cons
       const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
       bytes = gltfWithEverything(plainText(bytes, storage), folder);
     }
+    if (format == "glb") {
+      checkGlbSkins(bytes);
+    }
     task.insert(task.begin(), format);
     ImportReply reply = replyOf(std::move(task), bytes, defaultTimeLimit(bytes.size()),
                                 "another format (" + animationFormatList() + ")", watch);

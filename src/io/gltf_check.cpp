@@ -1,6 +1,7 @@
 #include "io/gltf_check.hpp"
 
 #include "io/gltf_content.hpp"
+#include "io/gltf_skins.hpp"
 #include "io/quoted_text.hpp"
 #include "io/text_input.hpp"
 #include "messages/error.hpp"
@@ -322,21 +323,28 @@ bool hasSkin(const Json& document) {
   return skins != document.end() && skins->is_array() && !skins->empty();
 }
 
-}  // namespace
+constexpr std::size_t glbHeader = 20;  // that of the file and that of the first chunk [bytes]
 
-GltfMesh glbWithMesh(std::string_view bytes) {
-  constexpr std::size_t headerSize = 20;  // that of the file and that of the first chunk
+/// Whether it is binary glTF of version 1, whose first chunk has another kind.
+bool isGlbOfVersion1(std::string_view bytes) {
+  return bytes.size() >= glbHeader && bytes.starts_with("glTF") && wordAt(bytes, 4) == 1 && wordAt(bytes, 16) == 0;
+}
+
+/// The two parts of a binary file.
+struct GlbParts {
+  Json json;
+  std::string_view binary;
+};
+
+GlbParts partsOfGlb(std::string_view bytes) {
   if (bytes.substr(0, 4) != std::string_view("glTF").substr(0, bytes.size())) {
     throw messages::InputError(
         "it is not a binary glTF file: it does not begin with 'glTF'. Check what it is, or export it again.");
   }
-  if (bytes.size() < headerSize) {
+  if (bytes.size() < glbHeader) {
     throw messages::InputError("it ends in its header: it was cut off." + std::string(again));
   }
   const std::uint32_t version = wordAt(bytes, 4);
-  if (version == 1 && wordAt(bytes, 16) == 0) {
-    return {std::string(bytes)};  // The parsing library reads this version too.
-  }
   if (version != 2) {
     throw messages::InputError("it is binary glTF of version " + std::to_string(version) +
                                ", and version 2 is read. Export it as glTF 2.0.");
@@ -346,15 +354,32 @@ GltfMesh glbWithMesh(std::string_view bytes) {
                                std::to_string(wordAt(bytes, 8)) + " bytes that it promises: it was cut off." + again);
   }
   const std::size_t length = wordAt(bytes, 12);
-  if (wordAt(bytes, 16) != jsonChunk || length > bytes.size() - headerSize) {
+  if (wordAt(bytes, 16) != jsonChunk || length > bytes.size() - glbHeader) {
     throw messages::InputError("its first part is not the JSON that a binary glTF file begins with: it is damaged." +
                                std::string(again));
   }
-  Json json = parseJson(bytes.substr(headerSize, length));
-  checkContent(json);
-  std::vector<std::string> buffers = buffersOf(json, {}, binaryChunk(bytes.substr(headerSize + length)));
-  Json parts = meshPartsOf(json, buffers);
-  return {joinGlb(std::move(parts), buffers), hasSkin(json)};
+  return {parseJson(bytes.substr(glbHeader, length)), binaryChunk(bytes.substr(glbHeader + length))};
+}
+
+}  // namespace
+
+GltfMesh glbWithMesh(std::string_view bytes) {
+  if (isGlbOfVersion1(bytes)) {
+    return {std::string(bytes)};  // The parsing library reads this version too.
+  }
+  const GlbParts glb = partsOfGlb(bytes);
+  checkContent(glb.json);
+  std::vector<std::string> buffers = buffersOf(glb.json, {}, glb.binary);
+  Json parts = meshPartsOf(glb.json, buffers);
+  return {joinGlb(std::move(parts), buffers), hasSkin(glb.json)};
+}
+
+void checkGlbSkins(std::string_view bytes) {
+  if (!isGlbOfVersion1(bytes)) {
+    const GlbParts glb = partsOfGlb(bytes);
+    checkContent(glb.json);
+    checkSkins(glb.json, buffersOf(glb.json, {}, glb.binary));
+  }
 }
 
 GltfMesh gltfWithBuffers(std::string_view text, const fs::path& folder) {
@@ -369,7 +394,9 @@ GltfMesh gltfWithBuffers(std::string_view text, const fs::path& folder) {
 std::string gltfWithEverything(std::string_view text, const fs::path& folder) {
   Json json = parseJson(text);
   checkContent(json);
-  json["buffers"] = bufferTexts(buffersOf(json, folder, std::nullopt));
+  const std::vector<std::string> buffers = buffersOf(json, folder, std::nullopt);
+  checkSkins(json, buffers);
+  json["buffers"] = bufferTexts(buffers);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

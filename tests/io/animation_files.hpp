@@ -20,6 +20,8 @@ struct BarFile {
   std::string meshName = "bar";  ///< of the node of the mesh
   std::string meshPose;          ///< the same of the node of the mesh, which readers of skinned meshes ignore
 
+  float weight = 1.0F;  ///< a factor on the weights of all vertices
+
   bool isSolid = false;  ///< a closed block of the depth 1 instead of a strip
 
   int layers = 1;  ///< how often the mesh has each of its triangles
@@ -68,7 +70,7 @@ inline std::string BarFile::text() const {
     for (const auto& [x, z] : corners) {
       positions.insert(positions.end(), {x, static_cast<float>(row), z});
       bones.insert(bones.end(), {static_cast<std::uint8_t>(row == 2 ? 1 : 0), 1, 0, 0});
-      weights.insert(weights.end(), {row == 1 ? 0.5F : 1.0F, row == 1 ? 0.5F : 0.0F, 0, 0});
+      weights.insert(weights.end(), {row == 1 ? 0.5F * weight : weight, row == 1 ? 0.5F * weight : 0.0F, 0, 0});
     }
   }
   const auto vertices = static_cast<int>(positions.size() / 3);

@@ -133,6 +133,21 @@ TEST(AnimationImport, movesTheBoneOfTwoNodesWithOneName) {
   EXPECT_LT((mesh.frames.back()[tip] - tipAt(std::numbers::pi / 2.0)).norm(), 1e-5);
 }
 
+TEST(AnimationImport, refusesSkinsWhoseVerticesFollowNoJoint) {
+  BarFile bar;
+  bar.joints = "[1]";
+  const std::string missing = problemOf(bar, clipAt("bend", 2.0));
+  EXPECT_NE(missing.find("vertex 2 of meshes[0].primitives[0] follows joint 1, and its skin has only 1"),
+            std::string::npos)
+      << missing;
+  bar = {};
+  bar.weight = 0.0F;
+  const std::string still = problemOf(bar, clipAt("bend", 2.0));
+  EXPECT_NE(still.find("6 of 6 vertices of meshes[0].primitives[0] follow no joint: all their weights are 0"),
+            std::string::npos)
+      << still;
+}
+
 TEST(AnimationImport, choosesTheClipByItsName) {
   const AnimatedMesh mesh = readBar({}, clipAt("still", 3.0));
   EXPECT_EQ(mesh.frames.size(), 7U);
