@@ -41,9 +41,9 @@ struct Dressed {
   Pairs after;
   std::vector<Fault> placedFaults;  ///< what is wrong with the shrunk body where the garment was placed
   std::vector<Fault> faults;        ///< what is wrong at the end
-  double stretch = 0.0;              ///< at the end, of the tightest twentieth of the edges: 0.1 is a tenth longer [-]
-  double shrunk = 0.0;               ///< the way of the vertex that moved most while the body was shrunk [m]
-  std::vector<Vec3> positions;       ///< of the garment [m]
+  double stretch = 0.0;             ///< at the end, of the tightest twentieth of the edges: 0.1 is a tenth longer [-]
+  double shrunk = 0.0;              ///< the way of the vertex that moved most while the body was shrunk [m]
+  std::vector<Vec3> positions;      ///< of the garment [m]
 };
 
 /// What is wrong with the meshes, so that they cannot be dressed.
@@ -66,8 +66,8 @@ inline constexpr double largestHoles = 0.15;
                                 const sim::ClothMesh& body, const DressingOptions& options);
 
 /// Places a garment on a body and removes all intersections: the body is shrunk until no triangle of the garment passes
-/// through it, as little as possible, and grows again while it pushes the garment outwards (Fitting). The result is judged by the exact
-/// intersection test.
+/// through it, as little as possible, and grows again while it pushes the garment outwards (Fitting). The result is
+/// judged by the exact intersection test.
 /// @param model of the garment, without pins  @param start positions in the coordinates of its file [m]
 /// @param body its triangles are counter-clockwise from outside, and its holes are filled [m]
 [[nodiscard]] Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, const sim::ClothMesh& body,

@@ -212,8 +212,7 @@ void GarmentOpenings::takeOpenNeckline(const sim::ClothMesh& garment, const scen
     return;
   }
   const bool hasSleeves = find(OpeningKind::LeftSleeve) != nullptr;
-  const bool isNeck =
-      hasSleeves || widthBelowTop(garment, sim::boundsOf(garment.positions)) > shoulders * found->width;
+  const bool isNeck = hasSleeves || widthBelowTop(garment, sim::boundsOf(garment.positions)) > shoulders * found->width;
   openings_.push_back({isNeck ? OpeningKind::Neck : OpeningKind::Waist, found->vertices, found->centre});
   facesBack_ = isOpenBehind(*found);
 }

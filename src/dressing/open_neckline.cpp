@@ -64,9 +64,9 @@ OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions) 
 }  // namespace
 
 std::optional<OpenNeckline> findOpenNeckline(const sim::ClothMesh& garment, const scene::ClothPieces& pieces) {
-  constexpr double lowest = 0.3;         // of the height, below the top
-  constexpr int heights = 15;            // that are tried
-  constexpr double minRoundness = 0.7;   // a half circle has 0.75
+  constexpr double lowest = 0.3;          // of the height, below the top
+  constexpr int heights = 15;             // that are tried
+  constexpr double minRoundness = 0.7;    // a half circle has 0.75
   constexpr double smallestWidth = 0.08;  // [m]
   const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
   std::vector<int> best;

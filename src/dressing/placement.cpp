@@ -77,8 +77,8 @@ Vec3 shiftByBoxes(const std::vector<Vec3>& garment, const ShrinkingBody& body, c
 }
 
 /// How bad a place is; lower is better. The fewer triangles of the full body pass through the garment the better, if
-/// none of a shrunk body does. Otherwise the centre lines count more than the full body, which pushes cloth outwards when
-/// it grows.
+/// none of a shrunk body does. Otherwise the centre lines count more than the full body, which pushes cloth outwards
+/// when it grows.
 class Badness {
  public:
   Badness(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts,

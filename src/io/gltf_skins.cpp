@@ -158,11 +158,14 @@ void checkSkins(const Json& document, const std::vector<std::string>& buffers) {
       continue;
     }
     const std::size_t joints = skin->value("joints", Json::array()).size();
+    if (joints == 0) {
+      throw messages::InputError("the skin of meshes[" + std::to_string(*meshIndex) +
+                                 "] has no joints. Bind the mesh to its skeleton again, and export it.");
+    }
     for (std::uint64_t p = 0; const Json* const primitive = elementOf(*mesh, "primitives", p); ++p) {
       if (const auto found = primitive->find("attributes"); found != primitive->end() && found->is_object()) {
         checkPart(document, buffers,
-                  {*found, "meshes[" + std::to_string(*meshIndex) + "].primitives[" + std::to_string(p) + "]",
-                   joints});
+                  {*found, "meshes[" + std::to_string(*meshIndex) + "].primitives[" + std::to_string(p) + "]", joints});
       }
     }
   }

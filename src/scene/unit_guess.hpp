@@ -41,7 +41,7 @@ struct LengthUnit {
 struct UnitGuess {
   std::string unit = "m";
   std::vector<std::string> others;  ///< other units that give a usual size, likeliest first
-  bool isUsual = false;             ///< whether it gives the size of a garment, or for a body that of a person or a torso
+  bool isUsual = false;  ///< whether it gives the size of a garment, or for a body that of a person or a torso
 };
 
 /// Whether a body is a torso without legs. Persons fill 0.01 to 0.03 of the cube around them, also those who sit; a

@@ -17,9 +17,10 @@ text::Sentence tightSewingInWords(const sim::ClothModel& model, const sim::Cloth
   constexpr double percent = 100.0;
   const double strain = sim::strainOfTightest(model, state.positions);
   return strain > sim::tooTight
-             ? text::Sentence("Where it is tightest the sewn cloth is stretched by {} %: its pieces are too small for "
-                              "the body, or their unit is another one.",
-                              text::roundedFigure(percent * strain))
+             ? text::Sentence(
+                   "Where it is tightest the sewn cloth is stretched by {} %: its pieces are too small for "
+                   "the body, or their unit is another one.",
+                   text::roundedFigure(percent * strain))
              : text::Sentence();
 }
 
