@@ -1,6 +1,7 @@
 #include "app/dressing/dressing_text.hpp"
 
 #include "messages/error.hpp"
+#include "sim/forces/diagnostics.hpp"
 #include "sim/model/bounds.hpp"
 #include "text/number_text.hpp"
 
