@@ -14,6 +14,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double largestTurn = 60.0 * degree;
+constexpr double armLength = 0.4;  // of a hanging arm, nearly to the wrist [m]
 
 /// Smooth weights of both arms.
 std::vector<Vec3> armWeights(const ShrinkingBody& body, const BodyParts& parts) {
@@ -77,10 +78,11 @@ void ArmBend::aim(const GarmentOpenings& openings, std::span<const Vec3> positio
   for (Arm& arm : arms_) {
     arm.turn = Eigen::AngleAxisd::Identity();
     const Opening* sleeve = openings.find(arm.sleeve);
-    if (sleeve == nullptr || weights_.empty()) {
+    const bool isCape = sleeve == nullptr && openings.find(OpeningKind::Neck) != nullptr;
+    if (weights_.empty() || (sleeve == nullptr && !isCape)) {
       continue;
     }
-    const Vec3 wanted = centreOf(*sleeve, positions) - arm.shoulder;
+    const Vec3 wanted = isCape ? Vec3(0.0, -armLength, 0.0) : Vec3(centreOf(*sleeve, positions) - arm.shoulder);
     const Vec3 present = pointOfArm(arm, wanted.norm()) - arm.shoulder;
     if (wanted.norm() > 0.0 && present.norm() > 0.0) {
       arm.turn = Eigen::Quaterniond::FromTwoVectors(present, wanted);

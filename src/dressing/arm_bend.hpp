@@ -10,13 +10,13 @@
 namespace drape::dressing {
 
 /// Turns the arms of a thin body about the shoulders towards the openings of sleeves, so that a garment with steep
-/// sleeves takes arms that are held higher.
+/// sleeves takes arms that are held higher. Under a cape or a poncho, which has a neck and no sleeves, they hang.
 class ArmBend {
  public:
   /// @param body a person
   ArmBend(const ShrinkingBody& body, const BodyParts& parts);
 
-  /// Aims the arms at the openings of the sleeves. Without sleeves the arms stay as they are.
+  /// Aims the arms at the openings of the sleeves, or downwards under a cape. Otherwise they stay as they are.
   /// @param positions of the garment [m]
   void aim(const GarmentOpenings& openings, std::span<const Vec3> positions);
 

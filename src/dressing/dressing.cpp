@@ -41,11 +41,23 @@ Placement placedBy(const DressingOptions& options, const sim::ClothMesh& garment
   return place(garment, body, parts, options.rule, [&](double share) { options.progress(Stage::Placing, share); });
 }
 
-/// The least shrunk frame in which no triangle of the garment passes through the body; the thinnest one if there is
-/// none. Limbs bend as they shrink, so a tight garment may fit the full body and not the thinnest one.
+/// Whether more than a few vertices of the garment are inside the body, by a sample of them.
+bool isInside(const ShrinkingBody& body, std::size_t frame, const std::vector<Vec3>& positions) {
+  constexpr double largestShare = 0.05;
+  constexpr std::size_t sampled = 500;
+  std::vector<Vec3> points;
+  const std::size_t step = 1 + positions.size() / sampled;
+  for (std::size_t v = 0; v < positions.size(); v += step) {
+    points.push_back(positions[v]);
+  }
+  return shareInside(points, body.frames()[frame], body.triangles()) > largestShare;
+}
+
+/// The least shrunk frame that is outside the garment, and through which no triangle of it passes; the thinnest one if
+/// there is none. Limbs bend as they shrink, so a tight garment may fit the full body and not the thinnest one.
 std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const std::vector<Vec3>& positions) {
   std::size_t frame = 0;
-  while (frame < body.thinnest() && wearing.pairs(positions, frame) > 0) {
+  while (frame < body.thinnest() && (wearing.pairs(positions, frame) > 0 || isInside(body, frame, positions))) {
     ++frame;
   }
   return frame;
@@ -65,14 +77,11 @@ class Dresser {
     result.shrunk = body_.wayTo(frame);
     result.positions = positions;
     result.after = result.before;
-    result.fits = wearing_.pairs(positions, frame) == 0;
-    constexpr double largestShare = 0.05;
-    const bool isInside =
-        result.fits && shareInside(positions, body_.frames()[frame], body_.triangles()) > largestShare;
-    if (!result.fits || isInside) {
-      result.fits = false;
+    const bool isOutside = wearing_.pairs(positions, frame) > 0 || !isInside(body_, frame, positions);
+    result.fits = isOutside && wearing_.pairs(positions, frame) == 0;
+    if (!result.fits) {
       result.faults =
-          isInside ? std::vector<Fault>{{.kind = FaultKind::InsideBody}} : wearing_.faults(positions, frame, limbs_);
+          isOutside ? wearing_.faults(positions, frame, limbs_) : std::vector<Fault>{{.kind = FaultKind::InsideBody}};
       return;
     }
     Fitting fitting(model_, std::move(positions), body_, frame, options_.step);

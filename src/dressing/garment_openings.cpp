@@ -1,7 +1,7 @@
 #include "dressing/garment_openings.hpp"
 
-#include "dressing/open_neckline.hpp"
 #include "scene/boundary_loops.hpp"
+#include "scene/open_neckline.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
@@ -156,7 +156,7 @@ bool hangsBehind(const scene::ClothPieces& pieces, double middle, const Eigen::A
 }
 
 /// Whether the gap is towards -z.
-bool isOpenBehind(const OpenNeckline& neckline) {
+bool isOpenBehind(const scene::OpenNeckline& neckline) {
   constexpr double clear = 0.1;  // of the width
   return neckline.gap.z() < neckline.centre.z() - clear * neckline.width;
 }
@@ -207,7 +207,7 @@ GarmentOpenings::GarmentOpenings(const sim::ClothMesh& garment) {
 
 /// Adds the neck or the waist of a garment that is open from top to bottom.
 void GarmentOpenings::takeOpenNeckline(const sim::ClothMesh& garment, const scene::ClothPieces& pieces) {
-  const std::optional<OpenNeckline> found = findOpenNeckline(garment, pieces);
+  const std::optional<scene::OpenNeckline> found = scene::findOpenNeckline(garment, pieces);
   if (!found) {
     return;
   }

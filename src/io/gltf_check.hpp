@@ -20,9 +20,9 @@ struct GltfMesh {
 /// Checks the skins of a binary glTF file (checkSkins). Throws InputError then and when it is damaged, as glbWithMesh.
 void checkGlbSkins(std::string_view bytes);
 
-/// The same as glbWithMesh for a glTF file of text (plainText), and the text with all buffers inside. Buffers in other files are read
-/// from `folder`, and only from there: a name that leads elsewhere is refused, and so is one that the file system
-/// resolves to elsewhere. Without a folder every other file is refused.
+/// The same as glbWithMesh for a glTF file of text (plainText), and the text with all buffers inside. Buffers in other
+/// files are read from `folder`, and only from there: a name that leads elsewhere is refused, and so is one that the
+/// file system resolves to elsewhere. Without a folder every other file is refused.
 [[nodiscard]] GltfMesh gltfWithBuffers(std::string_view text, const std::filesystem::path& folder);
 
 /// The text with all buffers inside, like gltfWithBuffers, but with all other parts of the document as they are: its

@@ -1,5 +1,6 @@
 #include "scene/up_guess.hpp"
 
+#include "scene/open_neckline.hpp"
 #include "sim/model/bounds.hpp"
 
 #include <algorithm>
@@ -129,8 +130,22 @@ int axisOfLimbs(const BoundaryLoop& loop, const ClothPieces& pieces, const Eigen
   return -1;
 }
 
+/// The shares of the necklines of a garment that is open from top to bottom.
+std::array<double, 3> sharesOfNecklines(const sim::ClothMesh& mesh, const ClothPieces& pieces) {
+  std::array<double, 3> shares{};
+  double total = 0.0;
+  for (int up = 0; up < 3; ++up) {
+    const double found = findOpenNeckline(mesh, pieces, up) ? 1.0 : 0.0;
+    shares[static_cast<std::size_t>(up)] = found;
+    total += found;
+  }
+  std::ranges::for_each(shares, [&](double& share) { share /= std::max(1.0, total); });
+  return shares;
+}
+
 /// Sets the evidence from openings.
-void findOpenings(const ClothPieces& pieces, const Eigen::AlignedBox3d& box, UpEvidence& evidence) {
+void findOpenings(const sim::ClothMesh& mesh, const ClothPieces& pieces, const Eigen::AlignedBox3d& box,
+                  UpEvidence& evidence) {
   constexpr double smallest =
       1e-3;  // relative to the square of the box's diagonal; a smaller opening is a slit or a defect
   std::array<double, 3>& shares = evidence.openings;
@@ -150,8 +165,12 @@ void findOpenings(const ClothPieces& pieces, const Eigen::AlignedBox3d& box, UpE
       shares[static_cast<std::size_t>(axis)] += area * facing * facing;
     }
   }
+  if (!(total > 0.0)) {
+    shares = sharesOfNecklines(mesh, pieces);
+    return;
+  }
   for (double& share : shares) {
-    share = total > 0.0 ? share / total : 0.0;
+    share /= total;
   }
 }
 
@@ -172,7 +191,7 @@ UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces) {
   UpGuess guess;
   const Eigen::AlignedBox3d box = sim::boundsOf(mesh.positions);
   UpEvidence& evidence = guess.evidence;
-  findOpenings(pieces, box, evidence);
+  findOpenings(mesh, pieces, box, evidence);
   evidence.asymmetry = asymmetries(mesh, box);
   const bool open = std::any_of(evidence.openings.begin(), evidence.openings.end(), [](double s) { return s > 0.0; });
   const double largest = std::max(std::numeric_limits<double>::min(), box.sizes().maxCoeff());

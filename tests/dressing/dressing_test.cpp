@@ -1,4 +1,5 @@
 #include "dressing/dressing.hpp"
+#include "../scene/garment_shapes.hpp"
 #include "intersection/intersections.hpp"
 #include "shapes.hpp"
 
@@ -41,6 +42,37 @@ TEST(Dressing, bringsTheArmsBackIntoTheSleevesOfAMisplacedTshirt) {
   EXPECT_GT(result.before.body, 300U);
   EXPECT_EQ(result.after.all(), 0U);
   EXPECT_TRUE(result.faults.empty());
+}
+
+TEST(Dressing, putsACapeOverArmsThatAreHeldAside) {
+  const sim::ClothMesh cape = scene::testing::openCape(40.0, 0.9);
+  DressingOptions options;
+  options.step.material.stiffness = 150.0;
+  const Dressed result = dress(*modelOf(cape), cape.positions, figure(), options);
+  ASSERT_TRUE(result.fits);
+  EXPECT_EQ(result.placement.rule, PlacementRule::Landmarks);
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_TRUE(result.faults.empty());
+}
+
+TEST(Dressing, takesATightSuitAsItIs) {
+  const sim::ClothMesh body = figure();
+  sim::ClothMesh suit = body;  // the surface without hands, feet and head, 6 mm outside
+  const std::vector<Vec3> normals = sim::vertexNormals(body.positions, body.triangles);
+  for (std::size_t v = 0; v < suit.positions.size(); ++v) {
+    suit.positions[v] += 0.006 * normals[v];
+  }
+  std::erase_if(suit.triangles, [&](const Triangle& t) {
+    const Vec3 centre = (body.positions[t[0]] + body.positions[t[1]] + body.positions[t[2]]) / 3.0;
+    return centre.y() < 0.15 || centre.y() > 1.45 || std::abs(centre.x()) > 0.5;
+  });
+  DressingOptions options;
+  options.step.material.stiffness = 150.0;
+  const Dressed result = dress(*modelOf(suit), suit.positions, body, options);
+  ASSERT_TRUE(result.fits);
+  EXPECT_EQ(result.placement.rule, PlacementRule::File);
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_LT(result.stretch, 0.05);
 }
 
 TEST(Dressing, givesTheSameBitsWithAnyNumberOfThreads) {

@@ -44,7 +44,8 @@ struct GarmentSizes {
 /// A tube around the y axis, from y = 0 up; half widths at the hem and at the top [m]. A skirt or a strapless top.
 [[nodiscard]] sim::ClothMesh tube(double height, double hem, double top, double depth);
 
-/// A cape around the neck, open towards +z by that angle [degrees]. Its neckline has a radius of 0.1 m, its hem one of 0.45 m.
+/// A cape around the neck, open towards +z by that angle [degrees]. Its neckline has a radius of 0.1 m, its hem one of
+/// 0.45 m.
 [[nodiscard]] sim::ClothMesh openCape(double gap, double length);
 
 /// A sock: one opening, and a foot towards +z.

@@ -1,4 +1,4 @@
-#include "dressing/open_neckline.hpp"
+#include "scene/open_neckline.hpp"
 
 #include "sim/model/bounds.hpp"
 
@@ -9,13 +9,13 @@
 #include <span>
 #include <utility>
 
-namespace drape::dressing {
+namespace drape::scene {
 namespace {
 
 /// The longest run of neighbours of a closed loop that are above a height; empty if all are.
-std::vector<int> runAbove(std::span<const int> loop, const std::vector<Vec3>& positions, double height) {
+std::vector<int> runAbove(std::span<const int> loop, const std::vector<Vec3>& positions, int up, double height) {
   const std::size_t count = loop.size();
-  const auto isAbove = [&](std::size_t i) { return positions[loop[i % count]].y() >= height; };
+  const auto isAbove = [&](std::size_t i) { return positions[loop[i % count]][up] >= height; };
   std::size_t begin = 0;
   while (begin < count && isAbove(begin)) {
     ++begin;  // a run starts after a vertex that is lower
@@ -36,26 +36,26 @@ std::vector<int> runAbove(std::span<const int> loop, const std::vector<Vec3>& po
 }
 
 /// The area of a run seen from above, over that of the circle with its length [-]. A straight line closes the run.
-double roundnessOf(const std::vector<int>& run, const std::vector<Vec3>& positions) {
+double roundnessOf(const std::vector<int>& run, const std::vector<Vec3>& positions, int up) {
   double area = 0.0;
   double length = 0.0;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const Vec3 a = positions[run[i]] - positions[run.front()];
     const Vec3 b = positions[run[(i + 1) % run.size()]] - positions[run.front()];
-    area += 0.5 * (a.z() * b.x() - a.x() * b.z());
+    area += 0.5 * a.cross(b)[up];
     length += (b - a).norm();
   }
   return length > 0.0 ? 4.0 * std::numbers::pi * std::abs(area) / (length * length) : 0.0;
 }
 
-OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions) {
+OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions, int up) {
   OpenNeckline neckline;
   Eigen::AlignedBox3d box;
   for (const int vertex : run) {
     neckline.centre += positions[vertex] / static_cast<double>(run.size());
     box.extend(positions[vertex]);
   }
-  neckline.width = std::max(box.sizes().x(), box.sizes().z());
+  neckline.width = std::max(box.sizes()[(up + 1) % 3], box.sizes()[(up + 2) % 3]);
   neckline.gap = 0.5 * (positions[run.front()] + positions[run.back()]);
   neckline.vertices = std::move(run);
   return neckline;
@@ -63,19 +63,19 @@ OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions) 
 
 }  // namespace
 
-std::optional<OpenNeckline> findOpenNeckline(const sim::ClothMesh& garment, const scene::ClothPieces& pieces) {
-  constexpr double lowest = 0.3;          // of the height, below the top
-  constexpr int heights = 15;             // that are tried
-  constexpr double minRoundness = 0.7;    // a half circle has 0.75
-  constexpr double smallestWidth = 0.08;  // [m]
+std::optional<OpenNeckline> findOpenNeckline(const sim::ClothMesh& garment, const ClothPieces& pieces, int up) {
+  constexpr double lowest = 0.3;         // of the height, below the top
+  constexpr int heights = 15;            // that are tried
+  constexpr double minRoundness = 0.7;   // a half circle has 0.75
+  constexpr double smallestWidth = 0.1;  // of the largest side of the garment
   const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
   std::vector<int> best;
   double bestRoundness = minRoundness;
-  for (const scene::BoundaryLoop& loop : pieces.loops) {
+  for (const BoundaryLoop& loop : pieces.loops) {
     for (int k = 1; pieces.isOutline(loop) && k <= heights; ++k) {
-      const double height = box.max().y() - lowest * k / heights * box.sizes().y();
-      std::vector<int> run = runAbove(loop.vertices, garment.positions, height);
-      const double roundness = roundnessOf(run, garment.positions);
+      const double height = box.max()[up] - lowest * k / heights * box.sizes()[up];
+      std::vector<int> run = runAbove(loop.vertices, garment.positions, up, height);
+      const double roundness = roundnessOf(run, garment.positions, up);
       if (roundness > bestRoundness) {
         bestRoundness = roundness;
         best = std::move(run);
@@ -85,8 +85,9 @@ std::optional<OpenNeckline> findOpenNeckline(const sim::ClothMesh& garment, cons
   if (best.empty()) {
     return std::nullopt;
   }
-  OpenNeckline neckline = measured(std::move(best), garment.positions);
-  return neckline.width > smallestWidth ? std::optional(std::move(neckline)) : std::nullopt;
+  OpenNeckline neckline = measured(std::move(best), garment.positions, up);
+  const bool isLarge = neckline.width > smallestWidth * box.sizes().maxCoeff();
+  return isLarge ? std::optional(std::move(neckline)) : std::nullopt;
 }
 
-}  // namespace drape::dressing
+}  // namespace drape::scene
