@@ -2,6 +2,7 @@
 #include "../scene/garment_shapes.hpp"
 #include "intersection/intersections.hpp"
 #include "shapes.hpp"
+#include "sim/model/normals.hpp"
 
 #include <gtest/gtest.h>
 #include <cmath>
@@ -56,11 +57,11 @@ TEST(Dressing, putsACapeOverArmsThatAreHeldAside) {
 }
 
 TEST(Dressing, takesATightSuitAsItIs) {
-  const sim::ClothMesh body = figure();
+  const sim::ClothMesh& body = figure();
+  const auto surface = modelOf(body);
   sim::ClothMesh suit = body;  // the surface without hands, feet and head, 6 mm outside
-  const std::vector<Vec3> normals = sim::vertexNormals(body.positions, body.triangles);
   for (std::size_t v = 0; v < suit.positions.size(); ++v) {
-    suit.positions[v] += 0.006 * normals[v];
+    suit.positions[v] += 0.006 * sim::vertexNormal(*surface, body.positions, v);
   }
   std::erase_if(suit.triangles, [&](const Triangle& t) {
     const Vec3 centre = (body.positions[t[0]] + body.positions[t[1]] + body.positions[t[2]]) / 3.0;
