@@ -61,7 +61,7 @@ TEST(Dressing, takesATightSuitAsItIs) {
   const auto surface = modelOf(body);
   sim::ClothMesh suit = body;  // the surface without hands, feet and head, 6 mm outside
   for (std::size_t v = 0; v < suit.positions.size(); ++v) {
-    suit.positions[v] += 0.006 * sim::vertexNormal(*surface, body.positions, v);
+    suit.positions[v] += 0.006 * sim::vertexNormal(*surface, body.positions, static_cast<int>(v));
   }
   std::erase_if(suit.triangles, [&](const Triangle& t) {
     const Vec3 centre = (body.positions[t[0]] + body.positions[t[1]] + body.positions[t[2]]) / 3.0;
