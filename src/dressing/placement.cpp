@@ -187,6 +187,14 @@ class Search {
   std::size_t total_ = 1;
 };
 
+/// Whether a neck opening is at the neck of a person, and not around the hips.
+bool isAtNeck(const GarmentOpenings& openings, const BodyParts& parts, double height) {
+  constexpr double near = 0.15;  // of the height
+  const Opening* neck = openings.find(OpeningKind::Neck);
+  return neck == nullptr || !parts.landmarks() ||
+         std::abs(neck->centre.y() - parts.landmarks()->neck.y()) < near * height;
+}
+
 bool isWornAsInFiles(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts) {
   constexpr double reachBelow = 0.05;  // below the feet, in heights of the body
   const GarmentOpenings openings(garment);
@@ -194,6 +202,7 @@ bool isWornAsInFiles(const sim::ClothMesh& garment, const ShrinkingBody& body, c
   const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
   const bool isAboveGround = box.min().y() >= bodyBox.min().y() - reachBelow * bodyBox.sizes().y();
   return openings.facesBack() == parts.facesBack() && isAboveGround && bodyBox.contains(Vec3(box.center())) &&
+         isAtNeck(openings, parts, bodyBox.sizes().y()) &&
          Badness(garment, body, parts, openings).isWorn(garment.positions);
 }
 

@@ -12,6 +12,11 @@
 namespace drape::scene {
 namespace {
 
+/// The larger horizontal extent.
+double widthOf(const Eigen::AlignedBox3d& box, int up) {
+  return std::max(box.sizes()[(up + 1) % 3], box.sizes()[(up + 2) % 3]);
+}
+
 /// The longest run of neighbours of a closed loop that are above a height; empty if all are.
 std::vector<int> runAbove(std::span<const int> loop, const std::vector<Vec3>& positions, int up, double height) {
   const std::size_t count = loop.size();
@@ -35,17 +40,26 @@ std::vector<int> runAbove(std::span<const int> loop, const std::vector<Vec3>& po
   return longest;
 }
 
-/// The area of a run seen from above, over that of the circle with its length [-]. A straight line closes the run.
-double roundnessOf(const std::vector<int>& run, const std::vector<Vec3>& positions, int up) {
+/// A run as seen from above, closed by a straight line.
+struct SeenFromAbove {
+  double length = 0.0;     ///< of the run itself
+  double roundness = 0.0;  ///< its area over that of the circle with its larger extent as diameter [-]
+};
+
+SeenFromAbove seenFromAbove(const std::vector<int>& run, const std::vector<Vec3>& positions, int up) {
+  SeenFromAbove seen;
+  Eigen::AlignedBox3d box;
   double area = 0.0;
-  double length = 0.0;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const Vec3 a = positions[run[i]] - positions[run.front()];
     const Vec3 b = positions[run[(i + 1) % run.size()]] - positions[run.front()];
     area += 0.5 * a.cross(b)[up];
-    length += (b - a).norm();
+    seen.length += i + 1 < run.size() ? (b - a).norm() : 0.0;
+    box.extend(a);
   }
-  return length > 0.0 ? 4.0 * std::numbers::pi * std::abs(area) / (length * length) : 0.0;
+  const double width = run.empty() ? 0.0 : widthOf(box, up);
+  seen.roundness = width > 0.0 ? std::abs(area) / (0.25 * std::numbers::pi * width * width) : 0.0;
+  return seen;
 }
 
 OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions, int up) {
@@ -55,7 +69,7 @@ OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions, 
     neckline.centre += positions[vertex] / static_cast<double>(run.size());
     box.extend(positions[vertex]);
   }
-  neckline.width = std::max(box.sizes()[(up + 1) % 3], box.sizes()[(up + 2) % 3]);
+  neckline.width = widthOf(box, up);
   neckline.gap = 0.5 * (positions[run.front()] + positions[run.back()]);
   neckline.vertices = std::move(run);
   return neckline;
@@ -66,7 +80,8 @@ OpenNeckline measured(std::vector<int> run, const std::vector<Vec3>& positions, 
 std::optional<OpenNeckline> findOpenNeckline(const sim::ClothMesh& garment, const ClothPieces& pieces, int up) {
   constexpr double lowest = 0.3;         // of the height, below the top
   constexpr int heights = 15;            // that are tried
-  constexpr double minRoundness = 0.7;   // a half circle has 0.75
+  constexpr double minRoundness = 0.45;  // a half circle has 0.5
+  constexpr double maxShare = 0.4;       // of the length of the outline
   constexpr double smallestWidth = 0.1;  // of the largest side of the garment
   const Eigen::AlignedBox3d box = sim::boundsOf(garment.positions);
   std::vector<int> best;
@@ -75,9 +90,9 @@ std::optional<OpenNeckline> findOpenNeckline(const sim::ClothMesh& garment, cons
     for (int k = 1; pieces.isOutline(loop) && k <= heights; ++k) {
       const double height = box.max()[up] - lowest * k / heights * box.sizes()[up];
       std::vector<int> run = runAbove(loop.vertices, garment.positions, up, height);
-      const double roundness = roundnessOf(run, garment.positions, up);
-      if (roundness > bestRoundness) {
-        bestRoundness = roundness;
+      const SeenFromAbove seen = seenFromAbove(run, garment.positions, up);
+      if (seen.roundness > bestRoundness && seen.length < maxShare * loop.length) {
+        bestRoundness = seen.roundness;
         best = std::move(run);
       }
     }
