@@ -162,6 +162,8 @@ Dressed dress(const sim::ClothModel& model, const std::vector<Vec3>& start, cons
   std::vector<Vec3> positions = moved(start, result.placement.pose);
   const GarmentOpenings openings({positions, model.triangles});
   result.openings = static_cast<int>(openings.all().size());
+  const Opening* neck = openings.find(OpeningKind::Neck);
+  result.isOpenCape = neck != nullptr && neck->hasGap && openings.find(OpeningKind::LeftSleeve) == nullptr;
   ArmBend bend(shrinking, parts);
   bend.aim(openings, positions);
   const ShrinkingBody bent = bend.bentBody();

@@ -37,7 +37,9 @@ struct Dressed {
   bool fits = true;
   int openings = 0;     ///< of the garment
   int filledHoles = 0;  ///< of the body
-  Pairs before;         ///< where the garment was placed
+  /// Whether it is open at the front and without sleeves, so that nothing but its own shape keeps it on the shoulders.
+  bool isOpenCape = false;
+  Pairs before;  ///< where the garment was placed
   Pairs after;
   std::vector<Fault> placedFaults;  ///< what is wrong with the shrunk body where the garment was placed
   std::vector<Fault> faults;        ///< what is wrong at the end

@@ -213,7 +213,7 @@ void GarmentOpenings::takeOpenNeckline(const sim::ClothMesh& garment, const scen
   }
   const bool hasSleeves = find(OpeningKind::LeftSleeve) != nullptr;
   const bool isNeck = hasSleeves || widthBelowTop(garment, sim::boundsOf(garment.positions)) > shoulders * found->width;
-  openings_.push_back({isNeck ? OpeningKind::Neck : OpeningKind::Waist, found->vertices, found->centre});
+  openings_.push_back({isNeck ? OpeningKind::Neck : OpeningKind::Waist, found->vertices, found->centre, true});
   facesBack_ = isOpenBehind(*found);
 }
 

@@ -21,6 +21,7 @@ struct Opening {
   OpeningKind kind = OpeningKind::Hem;
   std::vector<int> vertices;   ///< around it, in order
   Vec3 centre = Vec3::Zero();  ///< at the start [m]
+  bool hasGap = false;         ///< whether a straight line closes it, see scene::OpenNeckline
 };
 
 /// The openings of a garment, from its boundary loops. The neckline of a garment that is open from top to bottom counts

@@ -54,6 +54,7 @@ TEST(Dressing, putsACapeOverArmsThatAreHeldAside) {
   EXPECT_EQ(result.placement.rule, PlacementRule::Landmarks);
   EXPECT_EQ(result.after.all(), 0U);
   EXPECT_TRUE(result.faults.empty());
+  EXPECT_TRUE(result.isOpenCape);
 }
 
 TEST(Dressing, takesATightSuitAsItIs) {

@@ -197,6 +197,9 @@ Sentence summaryOf(const dressing::Dressed& result, bool isByHand) {
                           "another one",
                           static_cast<int>(std::lround(100.0 * result.stretch))));
   }
+  if (result.isOpenCape) {
+    words.append("; ", Sentence("its neckline is open: pin or sew its ends together, or it may slide off"));
+  }
   return result.filledHoles > 0
              ? words.append("; ", Sentence("holes of the body that were filled: {}", result.filledHoles))
              : words;
