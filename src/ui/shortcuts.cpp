@@ -62,7 +62,8 @@ std::span<const Shortcut> shortcuts() {
       Shortcut{Key::E, "E", "save the cloth (OBJ)", UiAction::SaveCloth},
       Shortcut{Key::E, "Ctrl+E", "export a frame, the motion or a film", UiAction::ShowExport, false, true},
       Shortcut{Key::Help, "F1   ?", "this list", UiAction::ToggleHelp},
-      Shortcut{Key::Escape, "Esc", "release, close, stop dressing or reading a file, quit", UiAction::Quit},
+      Shortcut{Key::Escape, "Esc", "release, close, leave a mode, stop dressing or reading a file", UiAction::Stop},
+      Shortcut{Key::Q, quitKeys, "quit", UiAction::Quit, false, true},
   };
   return table;
 }

@@ -30,6 +30,7 @@ enum class Key {
   L,
   O,
   P,
+  Q,
   R,
   S,
   T,
@@ -55,6 +56,9 @@ struct Shortcut {
   bool control = false;  ///< whether Ctrl must be held
   bool shift = false;    ///< with Ctrl: whether Shift must be held too
 };
+
+/// The keys that quit, as the list of keys names them.
+inline constexpr std::string_view quitKeys = "Ctrl+Q";
 
 /// All of them, in the order of the list of keys.
 [[nodiscard]] std::span<const Shortcut> shortcuts();

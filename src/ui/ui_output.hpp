@@ -160,8 +160,8 @@ enum class UiAction {
   ViewRight,
   ViewTop,
   ResetAll,           ///< restore settings, pins, bodies and cloth of the scene
-  Quit,               ///< or stop reading a file; asks before changes are lost
-  CloseWindow,        ///< quit, also while a file is read; asks before changes are lost
+  Stop,               ///< dressing or reading a file; without these, says how to quit
+  Quit,               ///< asks before changes are lost
   QuitAndLoseChanges  ///< without asking
 };
 

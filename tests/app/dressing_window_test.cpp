@@ -255,7 +255,7 @@ TEST(DressingInTheWindow, AClipThatIsChosenForADroppedBodyMovesItAndIsReplayed) 
   viewer.click(viewer.find("button.drop.open"));
   viewer.waitUntil("the body", [](const Json& s) { return s["bodies"].size() == 1; });
   viewer.waitUntil("some steps", [](const Json& s) { return s["step"] > 5; });
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
   std::ifstream text(log);
   EXPECT_EQ(Json::parse(text)["clips"], Json::array({"bend"}));
@@ -289,7 +289,7 @@ TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentSta
   viewer.tap("ctrl+y");
   viewer.waitUntil("the other clip again", hasClip("still"));
   viewer.waitUntil("the dressed body again", isWorn);
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
   viewer.tap("Return");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
@@ -353,7 +353,7 @@ TEST(DressingInTheWindow, TheCommandDressOpensTheDressedBodyAndItsSessionReplays
   viewer.waitUntil("the dressed body", isDressed);
   const Json moving = viewer.waitUntil("some steps", [](const Json& s) { return s["step"] > 5; });
   EXPECT_FALSE(moving["paused"].get<bool>());
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
   const auto output = folder.path() / "output.txt";
   const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});

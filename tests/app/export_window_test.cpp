@@ -132,7 +132,7 @@ TEST(ExportFromTheWindow, TheWindowAsksBeforeItClosesDuringAnExport) {
   fill(viewer, "export.to", "3600");
   startExport(viewer);
   viewer.waitUntil("the export", [](const Json& s) { return !s["export"].is_null(); });
-  viewer.key("Escape");
+  viewer.key("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return s["buttons"].contains("overlay.quit"); });
   viewer.key("Escape");
   viewer.waitUntil("no question",

@@ -79,7 +79,7 @@ TEST(FigureInTheWindow, IsRecordedAndReplayed) {
   choose(viewer, "turn");
   const Json chosen = viewer.state();
   viewer.waitUntil("steps after it", [&](const Json& s) { return s["step"] > chosen["step"].get<int>() + 5; });
-  viewer.key("Escape");
+  viewer.key("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return s["buttons"].contains("overlay.quit"); });
   viewer.tap("Return");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);

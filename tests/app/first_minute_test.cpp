@@ -65,25 +65,40 @@ TEST(FirstMinute, MaterialAndAirAreInSightInAnOrdinaryWindow) {
   EXPECT_FALSE(state["widgets"].contains("solver")) << "numerical settings are in Advanced, which is closed";
 }
 
-TEST(FirstMinute, EscapeAsksBeforeChangesAreLost) {
+TEST(FirstMinute, QuittingAsksBeforeChangesAreLost) {
   ViewerDriver viewer({"grid", "--paused", "--set", "drag=0.5"});
   viewer.click(viewer.find("drag", 0.6));
   viewer.waitUntil("a change", [](const Json& s) { return s["settings"]["drag"] != 0.5; });
-  viewer.key("Escape");
+  viewer.key("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
   viewer.key("Escape");
   viewer.waitUntil("no question", [](const Json& s) { return !hasButton(s, "overlay.quit"); });
   EXPECT_TRUE(viewer.process().running());
-  viewer.key("Escape");
+  viewer.key("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
   viewer.tap("Return");
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
 }
 
-TEST(FirstMinute, EscapeQuitsAtOnceWhereNothingIsLost) {
+TEST(FirstMinute, EscapeSaysHowToQuitWhereNothingIsOpen) {
+  ViewerDriver viewer({"grid", "--set", "drag=0.5"});
+  viewer.tap("Escape");
+  viewer.waitUntil("the notice", [](const Json& s) { return says(s, "Ctrl+Q quits"); });
+  EXPECT_TRUE(viewer.process().running());
+}
+
+TEST(FirstMinute, CtrlQQuitsAtOnceWhereNothingIsLost) {
   ViewerDriver viewer({"grid", "--set", "drag=0.5"});
   viewer.waitUntil("time to pass", [](const Json& s) { return s["step"] > 5; });
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
+  EXPECT_EQ(viewer.process().waitFor(60.0), 0);
+}
+
+TEST(FirstMinute, CtrlQQuitsWhileATextIsTyped) {
+  ViewerDriver viewer({"grid", "--paused"});
+  viewer.key("ctrl+p");
+  viewer.waitUntil("the search", [](const Json& s) { return hasButton(s, "overlay.search"); });
+  viewer.tap("ctrl+q");
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
 }
 

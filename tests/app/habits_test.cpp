@@ -183,7 +183,7 @@ TEST(SavedScene, IsNoChangeThatQuittingLoses) {
   viewer.waitUntil("a change", [](const Json& s) { return s["settings"]["drag"] != 0.0; });
   viewer.key("ctrl+s");
   viewer.waitUntil("the message", [](const Json& s) { return says(s, "Saved"); });
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
 }
 
@@ -203,7 +203,7 @@ TEST(Preferences, KeepThemeSectionsSizeAndRecentFiles) {
     viewer.click(viewer.find("scene.path"));
     viewer.type((home.path() / "own.toml").string());
     viewer.waitUntil("the scene", [](const Json& s) { return s["scene"] == "own"; });
-    viewer.tap("Escape");
+    viewer.tap("ctrl+q");
     EXPECT_EQ(viewer.process().waitFor(60.0), 0);
   }
   const Json kept = Json::parse(contentOf(preferencesIn(home.path())));
@@ -229,7 +229,7 @@ TEST(Preferences, ADamagedFileIsReportedAndKeptUntilSomethingChanges) {
   EXPECT_EQ(contentOf(file), "{ \"theme\": ");
   viewer.click(viewer.find("section.view"));
   viewer.tap("Escape");
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
   EXPECT_EQ(Json::parse(contentOf(file))["sections"]["View"], true);
 }
@@ -241,7 +241,7 @@ TEST(Preferences, AreNeitherReadNorWrittenWithNoSettings) {
   ViewerDriver viewer({"grid", "--paused", "--no-settings"}, DriverOptions{.home = home.path()});
   EXPECT_EQ(viewer.state()["theme"], "dark");
   viewer.click(viewer.find("section.view"));
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
   EXPECT_EQ(contentOf(file), "{ \"theme\": \"light\" }");
 }

@@ -41,7 +41,7 @@ TEST(Language, TheRowChangesItAtOnceAndIsKept) {
     const Json german =
         viewer.waitUntil("German", [](const Json& s) { return s["language"] == "de" && shows(s, "angehalten"); });
     EXPECT_TRUE(hasButton(german, "language=en")) << "the section is still open";
-    viewer.tap("Escape");
+    viewer.tap("ctrl+q");
     EXPECT_EQ(viewer.process().waitFor(60.0), 0);
   }
   EXPECT_EQ(keptLanguage(home.path()), "de");
@@ -50,7 +50,7 @@ TEST(Language, TheRowChangesItAtOnceAndIsKept) {
     EXPECT_EQ(viewer.state()["language"], "de");
     viewer.click(viewer.find("language=en"));
     viewer.waitUntil("English", [](const Json& s) { return s["language"] == "en" && shows(s, "paused"); });
-    viewer.tap("Escape");
+    viewer.tap("ctrl+q");
     EXPECT_EQ(viewer.process().waitFor(60.0), 0);
   }
   EXPECT_EQ(keptLanguage(home.path()), "en");
@@ -62,7 +62,7 @@ TEST(Language, FollowsTheSystemUntilTheUserChooses) {
     ViewerDriver viewer({"grid", "--paused"}, DriverOptions{.home = home.path(), .locale = "de_DE.UTF-8"});
     EXPECT_EQ(viewer.state()["language"], "de");
     viewer.click(viewer.find("section.view"));  // writes the preferences
-    viewer.tap("Escape");
+    viewer.tap("ctrl+q");
     EXPECT_EQ(viewer.process().waitFor(60.0), 0);
   }
   EXPECT_EQ(keptLanguage(home.path()), "") << "the user has chosen none";

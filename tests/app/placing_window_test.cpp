@@ -156,7 +156,7 @@ TEST(PlacingWindow, ARecordedSessionReplaysAPlacement) {
   viewer.waitUntil("the moved cloth", [](const Json& s) { return isBuilt(s) && s["step"] == 0; });
   viewer.key("Escape");
   viewer.waitUntil("steps after it", [](const Json& s) { return !s["paused"].get<bool>() && s["step"] > 20; });
-  viewer.key("Escape");
+  viewer.key("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
   viewer.tap("Return");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);

@@ -23,7 +23,7 @@ TEST(Record, ASessionInTheWindowReplaysToTheSameBits) {
   viewer.click(viewer.find("drag", 0.6));
   const Json changed = viewer.waitUntil("a change of drag", [](const Json& s) { return s["settings"]["drag"] != 0.5; });
   viewer.waitUntil("steps after it", [&](const Json& s) { return s["step"] > changed["step"].get<int>() + 10; });
-  viewer.key("Escape");
+  viewer.key("ctrl+q");
   viewer.waitUntil("the question", [](const Json& s) { return s["buttons"].contains("overlay.quit"); });
   viewer.tap("Return");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);

@@ -134,7 +134,7 @@ TEST(KeptViews, ComeBackInTheNextWindow) {
     viewer.waitUntil("that there is no other view", [](const Json& s) {
       return s["message"].get<std::string>().find("no view 1 yet") != std::string::npos;
     });
-    viewer.tap("Escape");
+    viewer.tap("ctrl+q");
     ASSERT_TRUE(viewer.process().waitFor(30.0).has_value());
   }
   ViewerDriver viewer({"grid", "--paused"}, DriverOptions{.home = home.path()});

@@ -117,7 +117,7 @@ TEST(SewingWindow, ABandIsSetSavedAndRecorded) {
   viewer.tap("ctrl+s");
   viewer.waitUntil("the message", [](const Json& s) { return says(s, "Saved"); });
   const auto saved = viewer.folder() / "sheets-001.toml";
-  viewer.tap("Escape");
+  viewer.tap("ctrl+q");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
   const auto output = folder.path() / "output.txt";
   EXPECT_EQ(runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output}), 0)

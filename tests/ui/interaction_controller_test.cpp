@@ -165,13 +165,18 @@ TEST_F(Interaction, OnlySteppingRepeats) {
   EXPECT_TRUE(send(KeyEvent{Key::P, true}).commands.empty());
 }
 
-TEST_F(Interaction, EscapeLetsGoFirstAndQuitsThen) {
+TEST_F(Interaction, EscapeLetsGoAndNeverQuits) {
   send(PressEvent{.position = onCloth_});
   const UiOutput first = send(KeyEvent{Key::Escape});
   EXPECT_TRUE(std::holds_alternative<session::DetachCommand>(first.commands.at(0)));
   EXPECT_TRUE(first.requests.empty());
   const UiOutput second = send(KeyEvent{Key::Escape});
-  EXPECT_EQ(std::get<UiAction>(second.requests.at(0)), UiAction::Quit);
+  EXPECT_EQ(std::get<UiAction>(second.requests.at(0)), UiAction::Stop);
+}
+
+TEST_F(Interaction, CtrlQQuitsAndTheLetterAloneDoesNot) {
+  EXPECT_TRUE(send(KeyEvent{Key::Q}).requests.empty());
+  EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::Q, false, true}).requests.at(0)), UiAction::Quit);
 }
 
 TEST_F(Interaction, LosingTheFocusLetsGo) {

@@ -349,7 +349,8 @@ bool Viewer::belongsToPanels(const ui::InputEvent& event) {
   if (const auto* key = std::get_if<ui::KeyEvent>(&event)) {
     // A held key must not close what its first press opened.
     const bool closes = key->key == ui::Key::Escape && !key->repeated && !controller_.holdsCloth();
-    return panels_.takesText() || (closes && !controller_.placing().isDragging() && panels_.closeOverlay());
+    const bool quits = key->key == ui::Key::Q && key->control;  // also while a text is typed
+    return (panels_.takesText() && !quits) || (closes && !controller_.placing().isDragging() && panels_.closeOverlay());
   }
   return false;
 }
@@ -373,7 +374,7 @@ void Viewer::handleInput(const session::Snapshot& snapshot, ui::UiOutput& output
     output.requests.emplace_back(ui::DroppedRequest{batch.droppedFiles});
   }
   if (batch.closes) {
-    output.requests.emplace_back(ui::UiAction::CloseWindow);
+    output.requests.emplace_back(ui::UiAction::Quit);
   }
 }
 

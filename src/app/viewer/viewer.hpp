@@ -121,7 +121,7 @@ class Viewer {
   void keepPreferences();
   void keepOwnFabrics(const session::Snapshot& snapshot);
   void resetAll(const session::Snapshot& snapshot);
-  void stopLoadingOrQuit(const session::Snapshot& snapshot);
+  void stopWork();
   void quitOrAsk(const session::Snapshot& snapshot);
   void saveScreenshot(const session::Snapshot& snapshot);
   void showNotice(const ui::Wording& notice);

@@ -5,6 +5,7 @@
 #include "messages/error.hpp"
 #include "settings/settings_table.hpp"
 #include "ui/scene_loader.hpp"
+#include "ui/shortcuts.hpp"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -208,10 +209,10 @@ void Viewer::on(ui::UiAction action, const session::Snapshot& snapshot) {
     case ui::UiAction::ResetAll:
       resetAll(snapshot);
       break;
-    case ui::UiAction::Quit:
-      stopLoadingOrQuit(snapshot);
+    case ui::UiAction::Stop:
+      stopWork();
       break;
-    case ui::UiAction::CloseWindow:
+    case ui::UiAction::Quit:
       quitOrAsk(snapshot);
       break;
     case ui::UiAction::QuitAndLoseChanges:
@@ -254,14 +255,15 @@ void Viewer::keepOwnFabrics(const session::Snapshot& snapshot) {
   }
 }
 
-void Viewer::stopLoadingOrQuit(const session::Snapshot& snapshot) {
+/// Esc must not end the program: users press it to leave a mode that has ended already.
+void Viewer::stopWork() {
   if (dressing_) {
     cancelDressing();
   } else if (loader_.cancel()) {
     controller_.placing().expectNothing();
     showNotice("Stopped. The scene did not change");
   } else {
-    quitOrAsk(snapshot);
+    showNotice(text::Sentence("Nothing is open. {} quits", ui::keysInWords(ui::quitKeys, panels_.language().texts)));
   }
 }
 

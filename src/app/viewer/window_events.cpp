@@ -84,6 +84,8 @@ std::optional<ui::Key> letterKey(int key, int scancode, bool shift) {
       return ui::Key::O;
     case 'p':
       return ui::Key::P;
+    case 'q':
+      return ui::Key::Q;
     case 'r':
       return ui::Key::R;
     case 's':
