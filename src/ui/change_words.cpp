@@ -2,6 +2,7 @@
 
 #include "settings/own_fabrics.hpp"
 #include "settings/surface_fields.hpp"
+#include "ui/names_in_words.hpp"
 #include "ui/setting_text.hpp"
 
 #include <fmt/core.h>
@@ -150,7 +151,7 @@ void addPlacements(const session::UserState& from, const session::UserState& to,
                    std::vector<Sentence>& changes) {
   for (const scene::Placeable& thing : scene::placeablesOf(scene.description)) {
     if (from.placements.of(thing) != to.placements.of(thing)) {
-      changes.push_back(Sentence("placement of the {}", scene::nameOf(scene.description, thing)));
+      changes.push_back(Sentence("placement of {}", inWords(scene.description, thing)));
     }
   }
   const auto& before = from.placements.readings;

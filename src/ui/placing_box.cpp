@@ -1,6 +1,7 @@
 // The box of the mode Place: the thing, the tool, and its placement in numbers.
 #include "messages/error.hpp"
 #include "text/number_text.hpp"
+#include "ui/names_in_words.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
@@ -178,7 +179,7 @@ void scaleRow(PanelContext& context, const PlacingView& placing) {
 void thingRow(PanelContext& context, const PlacingView& placing) {
   const scene::SceneDescription& description = context.snapshot.scene->description;
   const std::vector<scene::Placeable> things = scene::placeablesOf(description);
-  const std::string name = scene::nameOf(description, placing.thing);
+  const std::string name = context.texts(inWords(description, placing.thing));
   if (things.size() == 1) {
     ImGui::TextUnformatted(context.texts("Place {}", name).c_str());
     return;
@@ -190,11 +191,10 @@ void thingRow(PanelContext& context, const PlacingView& placing) {
   ImGui::SetNextItemWidth(boxWidth() - ImGui::CalcTextSize(place.c_str()).x - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::BeginCombo("##thing", name.c_str())) {
     for (const scene::Placeable& thing : things) {
-      const std::string each = scene::nameOf(description, thing);
-      if (ImGui::Selectable(each.c_str(), thing == placing.thing)) {
+      if (ImGui::Selectable(context.texts(inWords(description, thing)).c_str(), thing == placing.thing)) {
         ask(context, {.kind = Kind::Choose, .thing = thing});
       }
-      context.buttons["placing.thing=" + each] = lastItemRect();
+      context.buttons["placing.thing=" + scene::nameOf(description, thing)] = lastItemRect();
     }
     ImGui::EndCombo();
   }

@@ -1,6 +1,7 @@
 #include "ui/scene_loader.hpp"
 
 #include "messages/sim_error_text.hpp"
+#include "ui/names_in_words.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -40,7 +41,7 @@ text::Sentence SceneLoader::activity() const {
 
 void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settings::Settings&)> adjust,
                        const settings::OwnFabrics& own) {
-  submit({.activity = text::Sentence("Opening {}", parts.cloth.empty() ? parts.scene : parts.cloth),
+  submit({.activity = text::Sentence("Opening '{}'", inWords(parts)),
           .build =
               [parts, own, adjust = std::move(adjust)](const io::ImportWatch& watch) {
                 const scene::SceneDescription description = scene::openParts(parts, own);
@@ -52,7 +53,7 @@ void SceneLoader::open(const scene::SceneParts& parts, std::function<void(settin
 }
 
 void SceneLoader::rebuild(const scene::SceneDescription& description, const settings::Settings& settings, Kind kind) {
-  submit({.activity = text::Sentence("Building {}", description.name),
+  submit({.activity = text::Sentence("Building '{}'", inWords(description)),
           .build = [description,
                     settings](const io::ImportWatch& watch) { return scene::buildScene(description, settings, watch); },
           .kind = kind});

@@ -87,7 +87,7 @@ TEST_P(GermanPanels, TranslateAllSections) {
 
 TEST_P(GermanPanels, TranslateBoxesAndQuestions) {
   stats_.error = "Stopped. The scene did not change";
-  stats_.loading = text::Sentence("Opening {}", "coat.obj");
+  stats_.loading = text::Sentence("Opening '{}'", "coat.obj");
   stats_.dressing = DressingProgress{text::Sentence("growing the body"), 0.5};
   stats_.exporting = ExportProgress{"film.mp4", 0.5, 3.0};
   stats_.recentFiles = {"/tmp/coat.obj"};

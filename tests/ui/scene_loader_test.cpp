@@ -27,7 +27,7 @@ SceneLoader::Outcome waitFor(SceneLoader& loader) {
 TEST(SceneLoader, OpensASceneUnderAdjustedSettings) {
   SceneLoader loader;
   loader.open({.scene = "grid"}, [](settings::Settings& settings) { settings.view.surface = "plain"; });
-  EXPECT_NE(loader.activity().english().find("grid"), std::string::npos);
+  EXPECT_NE(loader.activity().english().find(scene::openScene("grid").title), std::string::npos);
   const auto outcome = waitFor(loader);
   ASSERT_NE(outcome.scene, nullptr) << outcome.error;
   EXPECT_EQ(outcome.scene->settings.view.surface, "plain");
@@ -103,7 +103,7 @@ TEST(SceneLoader, ReportsItsProgress) {
   }
   EXPECT_NE(outcome->scene, nullptr) << outcome->error;
   EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const std::string& text) {
-    return text.find("drape-scene-loader-test.obj: ") != std::string::npos && text.find(" %") != std::string::npos;
+    return text.find("drape-scene-loader-test.obj': ") != std::string::npos && text.find(" %") != std::string::npos;
   }));
   std::filesystem::remove(file);
 }

@@ -148,10 +148,11 @@ void DressArguments::run() const {
   }
   const sim::ClothMesh body = dressing::bodiesAtStart(*scene).front().mesh;
   printNoteOnHeight(body);
-  requireDressable({choices.garment, choices.body}, {scene->start.positions, scene->model->triangles}, body);
+  requireDressable({text::Sentence::verbatim(choices.garment), choices.body},
+                   {scene->start.positions, scene->model->triangles}, body);
   const Dressed result = dressed(*scene, body, choices);
   if (!result.fits) {
-    throw messages::InputError(refusalOf(result, choices.garment).english() +
+    throw messages::InputError(refusalOf(result, text::Sentence::verbatim(choices.garment)).english() +
                                " Move it with --move, --turn or --scale.");
   }
   printNotes(result);

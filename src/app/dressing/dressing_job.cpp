@@ -82,7 +82,7 @@ DressingJob::Outcome DressingJob::placeOnly() {
   requireDressable(order_.names, {attempt.start, order_.model->triangles}, attempt.body);
   const dressing::Placement placement =
       dressing::placeOn(*order_.model, attempt.start, attempt.body, optionsFor(attempt));
-  return {text::Sentence("{} is on {}, {}. Move, turn or scale it, then press Dress", order_.names.garment,
+  return {text::Sentence("Put {} on {}, {}. Move, turn or scale it, then press Dress", order_.names.garment,
                          order_.names.body, inWords(placement.rule)),
           false, std::nullopt, placement.pose};
 }

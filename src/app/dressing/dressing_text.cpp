@@ -205,9 +205,8 @@ Sentence summaryOf(const dressing::Dressed& result, bool isByHand) {
              : words;
 }
 
-Sentence refusalOf(const dressing::Dressed& result, const std::string& garment) {
-  Sentence words("{} does not go on the body: even where the body is a thin line, {}.", garment,
-                 inWords(result.faults));
+Sentence refusalOf(const dressing::Dressed& result, const Sentence& garment) {
+  Sentence words("The body cannot wear {}: even where the body is a thin line, {}.", garment, inWords(result.faults));
   return words.append(" ", adviceOnOpenings(result));
 }
 
@@ -225,7 +224,7 @@ void requireDressable(const WearNames& names, const sim::ClothMesh& garment, con
   }
 }
 
-Sentence inWords(dressing::Misfit misfit, const std::string& garment, const std::string& body, double garmentSide,
+Sentence inWords(dressing::Misfit misfit, const Sentence& garment, const std::string& body, double garmentSide,
                  double bodySide) {
   switch (misfit) {
     case dressing::Misfit::OpenBody:
@@ -237,7 +236,7 @@ Sentence inWords(dressing::Misfit misfit, const std::string& garment, const std:
     case dressing::Misfit::GarmentTooLarge:
     case dressing::Misfit::GarmentTooSmall:
       return Sentence(
-          "{} is {} long and the body {}, so it cannot be worn. Give the unit of the garment "
+          "The body cannot wear {}: it is {} long, and the body {}. Give the unit of the garment "
           "(--set unit=cm) or --scale",
           garment, text::formatLength(garmentSide), text::formatLength(bodySide));
     case dressing::Misfit::None:

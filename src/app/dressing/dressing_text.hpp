@@ -37,11 +37,11 @@ namespace drape::app {
 [[nodiscard]] text::Sentence summaryOf(const dressing::Dressed& result, bool isByHand = false);
 
 /// Why a garment cannot be worn, in whole sentences. @param garment its name
-[[nodiscard]] text::Sentence refusalOf(const dressing::Dressed& result, const std::string& garment);
+[[nodiscard]] text::Sentence refusalOf(const dressing::Dressed& result, const text::Sentence& garment);
 
 /// The names of a garment and a body for messages.
 struct WearNames {
-  std::string garment;
+  text::Sentence garment;  ///< inside a sentence: the name of its file, or "the cloth"
   std::string body;
 };
 
@@ -50,7 +50,7 @@ void requireDressable(const WearNames& names, const sim::ClothMesh& garment, con
 
 /// What is wrong and what to do. Empty for Misfit::None.
 /// @param garment, body their names  @param garmentSide, bodySide their largest extents [m]
-[[nodiscard]] text::Sentence inWords(dressing::Misfit misfit, const std::string& garment, const std::string& body,
+[[nodiscard]] text::Sentence inWords(dressing::Misfit misfit, const text::Sentence& garment, const std::string& body,
                                      double garmentSide, double bodySide);
 
 }  // namespace drape::app

@@ -4,6 +4,7 @@
 #include "app/viewer/process_age.hpp"
 #include "messages/sim_error_text.hpp"
 #include "settings/settings_table.hpp"
+#include "ui/names_in_words.hpp"
 
 #include <GL/glew.h>
 #define GLFW_INCLUDE_NONE
@@ -300,7 +301,7 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
     }
   } else if (outcome->kind == Kind::Opened) {
     newScene_ = outcome->scene;
-    text::Sentence notice("Opened {}", outcome->scene->description.name);
+    text::Sentence notice("Opened '{}'", ui::inWords(outcome->scene->description));
     notice.append(". ", std::exchange(notOpened_, {}));
     if (outcome->scene->summary.hasSkin && outcome->scene->description.bodies.empty()) {
       notice.append(". ", text::Sentence("It is a figure with bones: drop a garment to dress it"));

@@ -43,7 +43,10 @@ const PlacedBody* bodyToDress(const std::vector<PlacedBody>& bodies, const sessi
 
 DressingOrder orderFor(const session::Snapshot& snapshot, std::size_t body) {
   DressingOrder order;
-  order.names = {snapshot.scene->description.name, (*snapshot.scene->bodies)[body].name};
+  const scene::SceneDescription& description = snapshot.scene->description;
+  // A scene with a title has a key for a name, which says nothing about its cloth.
+  order.names = {description.title.empty() ? text::Sentence::verbatim(description.name) : text::Sentence("the cloth"),
+                 (*snapshot.scene->bodies)[body].name};
   order.model = snapshot.model;
   order.options.step = snapshot.settings.step;
   return order;

@@ -22,7 +22,7 @@ using dressing::testing::tube;
 /// Dresses in the coordinates of the meshes.
 DressingOrder orderOf(const sim::ClothMesh& garment, const sim::ClothMesh& body) {
   DressingOrder order;
-  order.names = {"tube", "egg"};
+  order.names = {text::Sentence::verbatim("tube"), "egg"};
   order.model = modelOf(garment);
   order.attempts = {{garment.positions, body, dressing::PlacementRule::File, true}};
   order.options.step.material.stiffness = 150.0;

@@ -72,8 +72,8 @@ TEST(DressingText, saysThatAGarmentIsInsideTheBody) {
   result.openings = 3;
   result.faults = {{.kind = FaultKind::InsideBody}};
   EXPECT_EQ(
-      refusalOf(result, "shorts.obj"),
-      "shorts.obj does not go on the body: even where the body is a thin line, the garment is inside the body. It is "
+      refusalOf(result, text::Sentence::verbatim("shorts.obj")),
+      "The body cannot wear shorts.obj: even where the body is a thin line, the garment is inside the body. It is "
       "too small for this body; is the unit of both files right?");
 }
 
