@@ -118,6 +118,7 @@ struct PanelContext {
   PanelMemory& memory;
   UiRects& widgets;  ///< receives the rectangles of the settings, by key
   UiRects& buttons;  ///< receives all other clickable rectangles
+  UiRects& labels;   ///< receives the rectangles of the labels of rows, by their text
   UiOutput& output;
 };
 

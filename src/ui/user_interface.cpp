@@ -39,6 +39,7 @@ struct UserInterface::Parts {
   PanelMemory memory;
   UiRects widgets;
   UiRects buttons;
+  UiRects labels;
   bool panels = true;
   bool notices = true;
   bool help = false;
@@ -223,6 +224,7 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
   }
   parts.widgets.clear();
   parts.buttons.clear();
+  parts.labels.clear();
   const settings::Settings settings = parts.memory.pending.overlay(snapshot.settings);
   PanelContext panel{.snapshot = snapshot,
                      .settings = settings,
@@ -236,6 +238,7 @@ void UserInterface::build(const session::Snapshot& snapshot, const UiStats& stat
                      .memory = parts.memory,
                      .widgets = parts.widgets,
                      .buttons = parts.buttons,
+                     .labels = parts.labels,
                      .output = output};
   UiRect uncovered = view();
   if (parts.panels) {
@@ -481,6 +484,10 @@ const UiRects& UserInterface::widgets() const {
 
 const UiRects& UserInterface::buttons() const {
   return parts_->buttons;
+}
+
+const UiRects& UserInterface::labels() const {
+  return parts_->labels;
 }
 
 render::Camera besidePanels(const render::Camera& camera, const UiRect& view, int width, int height) {

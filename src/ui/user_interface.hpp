@@ -130,6 +130,8 @@ class UserInterface {
   [[nodiscard]] const UiRects& widgets() const;
   /// The rectangles of all other clickable things: "button.play", "section.air", "wind.dial".
   [[nodiscard]] const UiRects& buttons() const;
+  /// The rectangles of the labels of rows, by their text in the language of the window.
+  [[nodiscard]] const UiRects& labels() const;
 
  private:
   struct Parts;

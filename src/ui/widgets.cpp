@@ -108,22 +108,54 @@ std::string labelOf(const PanelContext& context, const Wording& wording, std::st
   return context.texts(wording) + "###" + std::string(name);
 }
 
+namespace {
+
+float widthOfLongestWord(std::string_view text) {
+  float widest = 0.0F;
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find(' '), text.size());
+    widest = std::max(widest, sizeOf(text.substr(0, length)).x);
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return widest;
+}
+
+/// Draws the label of a row in the column at the left, in as many lines as it needs. One with a word that is too long
+/// for the column stands above the widget instead. Moves the cursor to the widget.
+/// @param column where the widget begins, in the window  @return the height of the row [window units]
+float rowLabel(const PanelContext& context, const std::string& label, float column) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float left = ImGui::GetCursorPosX();
+  const float room = column - left - 4.0F * context.scale;
+  const bool isAbove = widthOfLongestWord(label) > room;
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushTextWrapPos(isAbove ? 0.0F : left + room);
+  ImGui::TextUnformatted(label.c_str());
+  ImGui::PopTextWrapPos();
+  context.labels[label] = lastItemRect();
+  const float height = style.FramePadding.y + ImGui::GetItemRectSize().y;
+  if (isAbove) {
+    ImGui::SetCursorPosX(column);
+    return height + style.ItemSpacing.y + ImGui::GetFrameHeight();
+  }
+  ImGui::SameLine(column);
+  return std::max(height, ImGui::GetFrameHeight());
+}
+
+}  // namespace
+
 UiRect beginRow(const PanelContext& context, const Wording& wording, bool marked) {
-  const std::string label = context.texts(wording);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const float height = ImGui::GetFrameHeight();
+  const float middle = at.y + 0.5F * ImGui::GetFrameHeight();
   if (marked) {
-    ImGui::GetWindowDrawList()->AddCircleFilled(at + ImVec2(-7.0F * context.scale, height * 0.5F), 2.2F * context.scale,
+    ImGui::GetWindowDrawList()->AddCircleFilled({at.x - 7.0F * context.scale, middle}, 2.2F * context.scale,
                                                 ImGui::GetColorU32(palette().accent));
   }
-  ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, marked ? palette().text : palette().muted);
-  // With large text in a small window the label may be cut; the explanation has the whole title.
   const float column = std::round(ImGui::GetCursorStartPos().x + width * labelShare);
-  ImGui::TextUnformatted(fitted(label, column - ImGui::GetCursorPosX() - 4.0F * context.scale).c_str());
+  const float height = rowLabel(context, context.texts(wording), column);
   ImGui::PopStyleColor();
-  ImGui::SameLine(column);
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   return {at.x, at.y, width, height};
 }
@@ -248,7 +280,8 @@ float widthOfButton(const PanelContext& context, const Wording& word, float widt
 
 namespace {
 
-/// Equal widths where all titles fit, else widths in proportion to the titles.
+/// Equal widths where all titles fit, else widths in proportion to the titles; in more than one line those of the
+/// titles.
 std::vector<float> segmentWidths(const PanelContext& context, std::span<const Segment> choices, float all) {
   std::vector<float> widths;
   float sum = 0.0F;

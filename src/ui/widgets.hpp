@@ -25,8 +25,9 @@ namespace drape::ui {
 /// The width of the text in a closed list, beside its arrow, where the next widget is one.
 [[nodiscard]] float widthBesideArrow();
 
-/// Starts a row: draws the label at the left, moves the cursor to the widget, and sets its width to the rest of the
-/// row. A row whose value differs from the scene's gets a small mark. Returns the rectangle of the whole row.
+/// Starts a row: draws the label at the left, in two lines if needed, moves the cursor to the widget, and sets its
+/// width to the rest of the row. A row whose value differs from the scene's gets a small mark. Returns the rectangle of
+/// the whole row.
 UiRect beginRow(const PanelContext& context, const Wording& label, bool marked = false);
 
 /// A row that shows a value: the label at the left, the value at the right edge, so that numbers align.
