@@ -1,5 +1,6 @@
 #include "text/number_text.hpp"
 #include "ui/export_request.hpp"
+#include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -80,13 +81,18 @@ void fileRow(PanelContext& context, ExportRequest& choice) {
                   : "A name or a path. Without a name: a free name in the current folder. Existing files stay.");
 }
 
-/// A number that is typed, within limits.
-void numberField(PanelContext& context, const std::string& name, double& value, double min, double max) {
+/// A number that is typed, within limits. One beyond them becomes the nearest, and a hint says so.
+void numberField(PanelContext& context, const std::string& name, const char* title, double& value, double min,
+                 double max) {
   ImGui::InputDouble(("##" + name).c_str(), &value, 0.0, 0.0, "%.6g");
   context.buttons[name] = lastItemRect();
-  if (!ImGui::IsItemActive()) {
-    value = std::isfinite(value) ? std::clamp(value, min, max) : min;
+  if (ImGui::IsItemActive()) {
+    return;
   }
+  if (const text::Sentence note = rangeNote(title, value, min, max); !note.empty()) {
+    context.output.hint = note;
+  }
+  value = nearestInRange(value, min, max);
 }
 
 void timeRows(PanelContext& context, ExportRequest& choice) {
@@ -100,7 +106,7 @@ void timeRows(PanelContext& context, ExportRequest& choice) {
   const float words = ImGui::CalcTextSize(to.c_str()).x + 2.0F * gap;
   const float width = 0.5F * (ImGui::CalcItemWidth() - words);
   ImGui::SetNextItemWidth(width);
-  numberField(context, "export.from", choice.from, 0.0, longestExport);
+  numberField(context, "export.from", "The time of the first frame", choice.from, 0.0, longestExport);
   explainItem(context, "export.from",
               "The time of the first frame. The scene is simulated from its start, or from the present state, with the "
               "present settings, pins and bodies. The window goes on meanwhile.");
@@ -108,10 +114,10 @@ void timeRows(PanelContext& context, ExportRequest& choice) {
   ImGui::TextUnformatted(to.c_str());
   ImGui::SameLine(0.0F, gap);
   ImGui::SetNextItemWidth(width);
-  numberField(context, "export.to", choice.to, 0.0, longestExport);
+  numberField(context, "export.to", "The time of the last frame", choice.to, 0.0, longestExport);
   explainItem(context, "export.to", "The time of the last frame, up to an hour.");
   beginRow(context, "Frame rate");
-  numberField(context, "export.rate", choice.rate, minExportRate, maxExportRate);
+  numberField(context, "export.rate", "Frame rate", choice.rate, minExportRate, maxExportRate);
   explainItem(context, "export.rate",
               "Frames per second of simulated time, at exact times. The time step becomes shorter where a frame is not "
               "a whole number of "

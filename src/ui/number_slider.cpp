@@ -1,15 +1,18 @@
 #include "ui/number_slider.hpp"
 
 #include "messages/sentence_error.hpp"
+#include "text/number_text.hpp"
 #include "ui/text.hpp"
 #include "ui/widgets.hpp"
 
+#include <fmt/core.h>
 #include <fmt/printf.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace drape::ui {
 namespace {
@@ -86,6 +89,15 @@ void paint(const PanelContext& context, const SliderInput& input, const settings
   canvas.AddText(at, ImGui::GetColorU32(palette().text), text.c_str());
 }
 
+/// Says that a typed number became another one. Empty when it did not, and for a text that is no number.
+text::Sentence changeOf(const std::string& typed, const settings::SettingValue& value) {
+  const std::optional<double> number = text::parseNumber(typed);
+  if (!number || *number == asNumber(value)) {
+    return {};
+  }
+  return text::Sentence("{} is not allowed here. The nearest allowed value is {}", typed, settings::formatValue(value));
+}
+
 Edit typing(PanelContext& context, const SliderInput& input, const settings::SettingValue& value) {
   TypedText& typed = context.memory.typed;
   if (typed.frames++ == 0) {
@@ -102,6 +114,9 @@ Edit typing(PanelContext& context, const SliderInput& input, const settings::Set
     try {
       edit.value = input.typed(typed.text);
       edit.changed = edit.value != value;
+      if (const text::Sentence change = changeOf(typed.text, edit.value); !change.empty()) {
+        context.output.hint = change;
+      }
     } catch (const messages::SentenceError& refusal) {
       context.output.hint = refusal.sentence();
     } catch (const messages::UsageError& error) {
@@ -133,6 +148,19 @@ settings::SettingValue typedValue(const settings::SettingInfo& info, const setti
     }
     return allowedValue(info, settings, number);
   }
+}
+
+double nearestInRange(double typed, double min, double max) {
+  return std::isfinite(typed) ? std::clamp(typed, min, max) : min;
+}
+
+text::Sentence rangeNote(const char* title, double typed, double min, double max) {
+  if (typed >= min && typed <= max) {
+    return {};
+  }
+  const auto inWords = [](double number) { return fmt::format("{:.6g}", number); };
+  return text::Sentence("{} must be a number from {} to {}, so {} became {}", text::Sentence(title), inWords(min),
+                        inWords(max), inWords(typed), inWords(nearestInRange(typed, min, max)));
 }
 
 std::string numberFormat(std::string_view digits, std::string_view unit) {

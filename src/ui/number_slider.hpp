@@ -33,9 +33,15 @@ struct SliderInput {
                                    const text::Catalogue& texts = text::Catalogue());
 
 /// Draws the slider. Ctrl+click turns it into a text field, which takes all allowed values in the notations of the
-/// command line ("1/150"). A number beyond the range becomes the nearest allowed one. It replaces ImGui's slider, which
-/// loses small values of a logarithmic scale and hides the number behind its handle.
+/// command line ("1/150"). A number beyond the range becomes the nearest allowed one, with a hint. It replaces ImGui's
+/// slider, which loses small values of a logarithmic scale and hides the number behind its handle.
 [[nodiscard]] Edit numberSlider(PanelContext& context, const SliderInput& input, const settings::SettingValue& value);
+
+/// The nearest number within a range, for what the user has typed into another kind of field.
+[[nodiscard]] double nearestInRange(double typed, double min, double max);
+/// Says that a typed number became the nearest one within its range. Empty for a number within it.
+/// @param title of the number in a sentence
+[[nodiscard]] text::Sentence rangeNote(const char* title, double typed, double min, double max);
 
 /// The printf format of a number with its unit: "%.4g m/s".
 [[nodiscard]] std::string numberFormat(std::string_view digits, std::string_view unit);

@@ -78,6 +78,7 @@ struct PanelMemory {
   double bandLength = 0.8;                 ///< of the next elastic band [-]
   std::optional<std::size_t> hoveredSeam;  ///< whose row is under the mouse
   TypedText typed;
+  text::Sentence typedNote;              ///< about the keyframe number that is being typed, for the end of the typing
   std::optional<bool> openSections;      ///< open or close all sections in the next frame
   std::map<std::string, bool> sections;  ///< by title, whether the user opened or closed them
   RevealedRow revealed;

@@ -1,5 +1,6 @@
 // The rows of the box of selected vertices for the keyframes of pins.
 #include "scene/toml_reader.hpp"
+#include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/pin_keys.hpp"
 #include "ui/widgets.hpp"
@@ -50,7 +51,19 @@ bool numbersChanged(PanelContext& context, const NumberRow& row, float width, do
   const std::string id = fmt::format("##keys.{}", row.name);
   const bool changed =
       ImGui::DragScalarN(id.c_str(), ImGuiDataType_Double, values, count, static_cast<float>(row.speed), &low, &high,
-                         row.format, ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoRoundToFormat);
+                         row.format, ImGuiSliderFlags_NoRoundToFormat);
+  text::Sentence note;
+  for (int i = 0; i < count; ++i) {
+    note.append(". ", rangeNote(row.label, values[i], low, high));
+    values[i] = nearestInRange(values[i], low, high);
+  }
+  // A number acts while it is typed; what is said about it is about the whole of it.
+  if (changed) {
+    context.memory.typedNote = note;
+  }
+  if (ImGui::IsItemDeactivated() && !context.memory.typedNote.empty()) {
+    context.output.hint = std::exchange(context.memory.typedNote, {});
+  }
   const std::string name = fmt::format("keys.{}", row.name);
   context.buttons[name] = lastItemRect();
   explainItem(context, name, row.help);

@@ -136,6 +136,22 @@ TEST_F(PinKeyRows, AddChangeAndRemoveKeyframes) {
   EXPECT_TRUE(snapshot_.pinPaths->empty());
 }
 
+TEST_F(PinKeyRows, ATypedNumberBeyondItsRangeBecomesTheNearestAndAHintSaysSo) {
+  for (int i = 0; i < 20; ++i) {
+    simulation_.step();
+  }
+  settle();
+  apply(click(button("button.add_key")));
+  settle();
+  const UiRect row = button("keys.move");
+  UiOutput typed = typeInto({row.x, row.y, row.width / 3.0, row.height}, "5000");
+  append(typed, frame());
+  EXPECT_EQ(typed.hint, "Move must be a number from -1000 to 1000, so 5000 became 1000");
+  apply(typed);
+  settle();
+  EXPECT_EQ(snapshot_.pinPaths->front().motion.keyframes[1].position.x(), 1000.0);
+}
+
 TEST_F(PinKeyRows, AreHiddenWithoutPins) {
   apply({{session::SetPinsCommand{}}, {}, {}});
   stats_.selection.pinned = 0;

@@ -250,6 +250,8 @@ TEST_F(SettingWidget, TypedNumbersBeyondTheSliderButInRangeAreTaken) {
 TEST_F(SettingWidget, TypedNumbersBeyondTheRangeAreClamped) {
   const UiOutput output = typeInto(widget("drag"), "1000");
   EXPECT_DOUBLE_EQ(std::get<double>(lastValue(output, "drag")), 10.0);
+  EXPECT_EQ(output.hint, "1000 is not allowed here. The nearest allowed value is 10");
+  EXPECT_TRUE(typeInto(widget("drag"), "3").hint.empty());
 }
 
 TEST_F(SettingWidget, TypedNonsenseChangesNothingAndSaysWhy) {
