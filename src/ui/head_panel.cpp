@@ -75,9 +75,9 @@ void headPanel(PanelContext& context) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = ImGui::GetContentRegionAvail().x;
   const bool oneRow = width > 300.0F * context.scale;
-  const float share = width - (oneRow ? 3.0F : 2.0F) * gap;
-  const float wide = share * (oneRow ? 0.27F : 0.4F);
-  const float narrow = share * (oneRow ? 0.235F : 0.3F);
+  const float share = width - (oneRow ? 3.0F : 1.0F) * gap;
+  const float wide = share * (oneRow ? 0.27F : 0.5F);
+  const float narrow = share * (oneRow ? 0.235F : 0.5F);
   if (iconButton(context, "play", snapshot.paused ? Icon::Play : Icon::Pause, snapshot.paused ? "Play" : "Pause", wide,
                  true)) {
     context.output.commands.emplace_back(session::PauseCommand{!snapshot.paused});
@@ -88,15 +88,15 @@ void headPanel(PanelContext& context) {
     context.output.commands.emplace_back(session::SingleStepCommand{});
   }
   explainItem(context, "button.step", "Advances by one time step and pauses (full stop).");
-  ImGui::SameLine();
+  if (oneRow) {
+    ImGui::SameLine();
+  }
   if (iconButton(context, "reset", Icon::Reset, "Reset", narrow)) {
     context.output.commands.emplace_back(session::ResetCommand{});
   }
   explainItem(context, "button.reset", "Returns to the start of the scene. Keeps settings and pins (R).");
-  if (oneRow) {
-    ImGui::SameLine();
-  }
-  resetAllButton(context, oneRow ? ImGui::GetContentRegionAvail().x : width);
+  ImGui::SameLine();
+  resetAllButton(context, ImGui::GetContentRegionAvail().x);
 }
 
 }  // namespace drape::ui

@@ -116,8 +116,10 @@ Message messageOf(const PanelContext& context) {
   return {context.texts("F1: help"), palette().muted};
 }
 
+using Facts = std::vector<std::pair<std::string, ImVec4>>;
+
 /// The cloth and its speed. A long name is cut.
-std::vector<std::pair<std::string, ImVec4>> factsOf(const PanelContext& context) {
+Facts factsOf(const PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
   const scene::SceneDescription& scene = snapshot.scene->description;
   const float widestName = 0.4F * ImGui::GetIO().DisplaySize.x;
@@ -230,46 +232,79 @@ float widthOf(const std::string& text) {
   return ImGui::CalcTextSize(text.c_str()).x;
 }
 
+/// The facts in as many lines as they need. Every line but the first begins with a fact, without a gap before it.
+std::vector<Facts> linesOf(const Facts& facts, float width) {
+  std::vector<Facts> lines(1);
+  float used = 0.0F;
+  for (const auto& [text, colour] : facts) {
+    const std::string following = gapBetweenFacts + text;
+    const bool isFirst = lines.back().empty();
+    const bool follows = !isFirst && used + widthOf(following) <= width;
+    if (!isFirst && !follows) {
+      lines.emplace_back();
+    }
+    lines.back().emplace_back(follows ? following : text, colour);
+    used = follows ? used + widthOf(following) : widthOf(text);
+  }
+  return lines;
+}
+
+float widthOf(const Facts& line) {
+  float width = 0.0F;
+  for (const auto& [text, colour] : line) {
+    width += widthOf(text);
+  }
+  return width;
+}
+
 /// Draws the facts from the left; a click on them opens the details.
-void drawFacts(PanelContext& context, const std::vector<std::pair<std::string, ImVec4>>& facts, float width) {
+void drawFacts(PanelContext& context, const std::vector<Facts>& lines, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  if (ImGui::InvisibleButton("facts", {width, ImGui::GetTextLineHeight()})) {
+  const float height = ImGui::GetTextLineHeight();
+  if (ImGui::InvisibleButton("facts", {width, height * static_cast<float>(lines.size())})) {
     ImGui::OpenPopup(detailsName);
   }
   const bool hovered = ImGui::IsItemHovered();
   context.buttons["status.facts"] = lastItemRect();
   explainItem(context, "status.facts", "Click for the solver, its cost and its choices.");
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
-  float x = at.x;
-  for (std::size_t i = 0; i < facts.size(); ++i) {
-    const std::string text = (i > 0 ? gapBetweenFacts : "") + facts[i].first;
-    canvas.AddText({x, at.y}, ImGui::GetColorU32(hovered ? palette().accent : facts[i].second), text.c_str());
-    x += widthOf(text);
+  float y = at.y;
+  for (const Facts& line : lines) {
+    float x = at.x;
+    for (const auto& [text, colour] : line) {
+      canvas.AddText({x, y}, ImGui::GetColorU32(hovered ? palette().accent : colour), text.c_str());
+      x += widthOf(text);
+    }
+    y += height;
   }
 }
 
-/// The layout: one line when everything fits, otherwise the message above the facts.
+/// The layout: one line when everything fits, otherwise the message above the facts, which may take several lines too.
 struct Layout {
+  std::vector<Facts> facts;
   float factsWidth = 0.0F;
   float buttonWidth = 0.0F;   // with its gap; 0: no button
   float messageWidth = 0.0F;  // of the wrapped lines
   float extraHeight = 0.0F;   // additional height of the line
 };
 
-Layout layOut(const PanelContext& context, const std::string& facts, const Message& message, const UiRect& place) {
+Layout layOut(const PanelContext& context, const Message& message, const UiRect& place) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = static_cast<float>(place.width) - 2.0F * style.WindowPadding.x;
-  Layout layout{.factsWidth = std::min(width, widthOf(facts))};
+  Layout layout{.facts = linesOf(factsOf(context), width)};
+  for (const Facts& line : layout.facts) {
+    layout.factsWidth = std::min(width, std::max(layout.factsWidth, widthOf(line)));
+  }
   if (message.remedy != Remedy::None) {
     layout.buttonWidth =
         widthOf(context.texts(buttonOf(message.remedy).word)) + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
   }
   layout.messageWidth = widthOf(message.text);
-  const bool breaks = message.text.find('\n') != std::string::npos;
+  const bool breaks = layout.facts.size() > 1 || message.text.find('\n') != std::string::npos;
   if (breaks || layout.factsWidth + layout.messageWidth + layout.buttonWidth + 3.0F * style.WindowPadding.x > width) {
     layout.messageWidth = width - layout.buttonWidth;
-    layout.extraHeight =
-        ImGui::CalcTextSize(message.text.c_str(), nullptr, false, layout.messageWidth).y + style.ItemSpacing.y;
+    layout.extraHeight = ImGui::CalcTextSize(message.text.c_str(), nullptr, false, layout.messageWidth).y +
+                         style.ItemSpacing.y + ImGui::GetTextLineHeight() * static_cast<float>(layout.facts.size() - 1);
   }
   return layout;
 }
@@ -287,13 +322,12 @@ void drawMessage(PanelContext& context, const Message& message, const Layout& la
 }
 
 void drawLine(PanelContext& context, const Message& message, const Layout& layout) {
-  const auto facts = factsOf(context);
   if (layout.extraHeight > 0.0F) {
     drawMessage(context, message, layout);
-    drawFacts(context, facts, layout.factsWidth);
+    drawFacts(context, layout.facts, layout.factsWidth);
     return;
   }
-  drawFacts(context, facts, layout.factsWidth);
+  drawFacts(context, layout.facts, layout.factsWidth);
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
   ImGui::SameLine(right - layout.messageWidth - layout.buttonWidth);
   drawMessage(context, message, layout);
@@ -310,7 +344,7 @@ double statusLine(PanelContext& context, const UiRect& place) {
   for (const auto& [text, colour] : factsOf(context)) {
     facts += (facts.empty() ? "" : gapBetweenFacts) + text;
   }
-  const Layout layout = layOut(context, facts, message, place);
+  const Layout layout = layOut(context, message, place);
   context.memory.status = facts + gapBetweenFacts + message.text;
   const float top = static_cast<float>(place.y) - layout.extraHeight;
   ImGui::SetNextWindowPos({static_cast<float>(place.x), top});

@@ -1,6 +1,7 @@
 #include "desktop.hpp"
 
 #include <X11/Xlib.h>
+#include <X11/Xutil.h>
 
 #include <algorithm>
 #include <array>
@@ -72,6 +73,15 @@ class Neighbour {
     send("XdndDrop", {source, 0, CurrentTime});
     // GLFW answers with the length of the list where the protocol wants a 1.
     return answer("XdndFinished", addresses).data.l[1] != 0;
+  }
+
+  std::pair<int, int> smallestSize() {
+    XSizeHints hints{};
+    long supplied = 0;
+    if (XGetWMNormalHints(display_.get(), viewer_, &hints, &supplied) == 0 || (hints.flags & PMinSize) == 0) {
+      return {0, 0};
+    }
+    return {hints.min_width, hints.min_height};
   }
 
   void askToClose() { send("WM_PROTOCOLS", {number("WM_DELETE_WINDOW"), CurrentTime}); }
@@ -171,6 +181,10 @@ bool dropFiles(const std::string& display, int x, int y, const std::vector<std::
 
 void askToClose(const std::string& display) {
   Neighbour(display).askToClose();
+}
+
+std::pair<int, int> smallestSize(const std::string& display) {
+  return Neighbour(display).smallestSize();
 }
 
 }  // namespace drape::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace drape::app {
@@ -14,5 +15,8 @@ namespace drape::app {
 
 /// Asks the window to close, as the button in its title bar does.
 void askToClose(const std::string& display);
+
+/// The smallest width and height that the window allows [pixels].
+[[nodiscard]] std::pair<int, int> smallestSize(const std::string& display);
 
 }  // namespace drape::app

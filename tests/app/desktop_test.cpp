@@ -102,6 +102,13 @@ TEST(Desktop, ClosingTheWindowAsksBeforeChangesAreLost) {
   EXPECT_EQ(viewer.process().waitFor(60.0), 0);
 }
 
+TEST(Desktop, TheWindowHasASmallestSizeInWhichItCanBeUsed) {
+  ViewerDriver viewer({"grid", "--paused"});
+  EXPECT_EQ(smallestSize(viewer.display()), std::pair(640, 480));
+  ViewerDriver large({"grid", "--paused", "--set", "view.font_scale=2"});
+  EXPECT_EQ(smallestSize(large.display()), std::pair(800, 600)) << "a small screen has room for it";
+}
+
 TEST(Desktop, ClosingTheWindowQuitsAtOnceWhereNothingIsLost) {
   ViewerDriver viewer({"grid", "--paused"});
   askToClose(viewer.display());

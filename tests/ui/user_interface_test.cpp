@@ -397,6 +397,21 @@ TEST_F(UserInterfaceTest, TheQuestionAboutManyFilesFitsIntoASmallWindow) {
   }
 }
 
+TEST_F(UserInterfaceTest, TheStatusLineTakesMoreLinesWhereLargeTextDoesNotFitInOne) {
+  panels_.setDisplay({.width = 520, .height = 480, .density = 1.0F, .scale = 2.0F});
+  settle();
+  const UiRect facts = button("status.facts");
+  const double line = ImGui::GetFontSize();
+  EXPECT_GT(facts.height, 1.5 * line) << "title, vertices and pace need two lines";
+  EXPECT_LE(facts.x + facts.width, 520.0);
+  EXPECT_LE(facts.y + facts.height, 480.0);
+  const UiRect above = button("overlay.status");
+  EXPECT_LE(above.y + above.height, 480.0);
+  panels_.setDisplay({.width = 1280, .height = 800, .density = 1.0F, .scale = 1.0F});
+  settle();
+  EXPECT_LT(button("status.facts").height, 1.5 * ImGui::GetFontSize());
+}
+
 TEST_F(UserInterfaceTest, TheStatusLineSpeaksOfTheClothFirst) {
   snapshot_.paused = true;
   settle();

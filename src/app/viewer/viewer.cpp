@@ -21,6 +21,9 @@ namespace {
 
 constexpr int usualWidth = 1440;  // of the window at scale 1
 constexpr int usualHeight = 900;
+constexpr int smallestWidth = 640;  // of the window at scale 1, so that all panels can be used
+constexpr int smallestHeight = 480;
+constexpr float largestOfSmallest = 1.25F;  // scale of the smallest size: larger text must fit on small screens too
 constexpr auto noticeTime = std::chrono::seconds(8);
 constexpr double frameSmoothing = 0.1;  // weight of the newest frame in the average
 
@@ -97,7 +100,6 @@ Viewer::Viewer(const std::shared_ptr<const scene::Scene>& scene, FabricList fabr
       wasPaused_(options.paused),
       newScene_(scene) {
   resizeWindow(window_.window(), options, preferences_.window);
-  glfwSetWindowSizeLimits(window_.window(), 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
   glfwSwapInterval(1);
   simulation_.callOnMotion(glfwPostEmptyEvent);
   if (!options.recordFile.empty()) {
@@ -144,6 +146,7 @@ void Viewer::awaitEvents() {
 void Viewer::frame() {
   const session::Snapshot& snapshot = simulation_.latest();
   display_ = measureDisplay(snapshot.settings.view.fontScale);
+  limitWindowSize();
   if (display_.width <= 0 || display_.height <= 0) {
     return;  // minimised
   }
@@ -172,6 +175,15 @@ void Viewer::frame() {
   execute(output, snapshot);
   takeChosenFiles(snapshot);
   followPicks();
+}
+
+void Viewer::limitWindowSize() {
+  if (std::exchange(limitedScale_, display_.scale) == display_.scale) {
+    return;
+  }
+  const float scale = std::clamp(display_.scale, 1.0F, largestOfSmallest);
+  glfwSetWindowSizeLimits(window_.window(), static_cast<int>(smallestWidth * scale),
+                          static_cast<int>(smallestHeight * scale), GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
 
 /// Draws the parts of the window that have changed.

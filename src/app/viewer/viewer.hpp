@@ -61,6 +61,7 @@ class Viewer {
   [[nodiscard]] bool isMinimised() const;
   void awaitEvents();
   void frame();
+  void limitWindowSize();
   void draw(const session::Snapshot& snapshot);
   void blit(const ui::UiRect& view);
   void pace(Clock::time_point start);
@@ -177,6 +178,7 @@ class Viewer {
   fields::FieldDisplay fieldDisplay_;
   bool observes_ = false;  ///< whether the simulation was asked for what picked vertices need
   ui::UiDisplay display_;
+  float limitedScale_ = 0.0F;  ///< for which the smallest size of the window was set
   Vec2 mouse_ = Vec2::Zero();
   Clock::time_point lastFrame_ = Clock::now();
   Clock::time_point noticeEnds_ = Clock::now();
