@@ -10,11 +10,13 @@
 #include "scene/scene_file.hpp"
 #include "scene/seam_file.hpp"
 #include "scene/settings_writer.hpp"
+#include "scene/unit_guess.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -178,11 +180,51 @@ void writeCloth(Writing& writing, std::size_t index) {
   writeBands(writing.sewing().bands.at(index), toml);
 }
 
-void writeClothSettings(Writing& writing, const ClothDescription& cloth) {
+bool isFromFileOfUser(const ClothDescription& cloth) {
+  const auto* mesh = std::get_if<MeshFileSource>(&cloth.source);
+  return mesh != nullptr && !mesh->builtIn;
+}
+
+/// The settings `unit` and `up` of a cloth, with those that were guessed instead of "auto": so the scene is read in the
+/// same way again, and asks nothing.
+ReadingChoice statedReading(const Writing& writing, std::size_t index) {
+  constexpr std::string_view guessed = "auto";
+  const ClothPart& part = writing.scene.cloths[index];
+  const settings::Settings::Mesh mesh = settingsOf(part.own, writing.now.settings).mesh;
+  if (!isFromFileOfUser(writing.description().cloths[index])) {
+    return {mesh.unit, mesh.up};
+  }
+  return {mesh.unit == guessed ? wordForUnit(part.placement.metresPerUnit) : mesh.unit,
+          mesh.up == guessed ? part.placement.up : mesh.up};
+}
+
+/// What a cloth has for itself. Of several cloths each is read in its own unit.
+std::vector<OwnSetting> ownSettingsNow(const Writing& writing, std::size_t index) {
+  std::vector<OwnSetting> own = writing.description().cloths[index].own;
+  for (OwnSetting& each : own) {
+    if (writing.hasOwnPins() && each.info->key == "pins") {
+      each.value = std::string("scene");
+    }
+  }
+  const ReadingChoice reading = statedReading(writing, index);
+  const settings::Settings present = settingsOf(own, writing.now.settings);
+  const auto state = [&](std::string_view key, const std::string& before, const std::string& stated) {
+    if (stated != before) {
+      std::erase_if(own, [&](const OwnSetting& each) { return each.info->key == key; });
+      own.push_back({&settings::requireSetting(key), stated});
+    }
+  };
+  if (writing.hasSeveral()) {
+    state("unit", present.mesh.unit, reading.unit);
+    state("up", present.mesh.up, reading.up);
+  }
+  return own;
+}
+
+void writeClothSettings(Writing& writing, std::size_t index) {
   writing.toml.table("[cloths.settings]");
-  for (const OwnSetting& own : cloth.own) {
-    const bool replaced = writing.hasOwnPins() && own.info->key == "pins";
-    writing.toml.value(own.info->key, valueText(replaced ? settings::SettingValue(std::string("scene")) : own.value));
+  for (const OwnSetting& own : ownSettingsNow(writing, index)) {
+    writing.toml.value(own.info->key, valueText(own.value));
   }
 }
 
@@ -190,7 +232,7 @@ void writeCloths(Writing& writing) {
   for (std::size_t i = 0; i < writing.description().cloths.size(); ++i) {
     const ClothDescription& cloth = writing.description().cloths[i];
     writeCloth(writing, i);
-    writeClothSettings(writing, cloth);
+    writeClothSettings(writing, i);
     const std::vector<PinSelection> pins =
         writing.hasOwnPins() ? pinsNow(writing, writing.scene.cloths[i]) : cloth.pins;
     const std::string name = writing.hasSeveral() ? "cloths.pins" : "pins";
@@ -224,9 +266,7 @@ void writeSolidity(const std::optional<sim::contact::Body>& body, const BodyNow*
 /// The unit and the up axis of the first cloth from a file, for the bodies that are read like it.
 BodyDescription bodyInMetres(BodyDescription body, const Scene& scene) {
   const auto isFromFile = [&](const ClothPart& part) {
-    const ClothDescription& cloth = scene.description.cloths[static_cast<std::size_t>(&part - scene.cloths.data())];
-    const auto* mesh = std::get_if<MeshFileSource>(&cloth.source);
-    return mesh != nullptr && !mesh->builtIn;
+    return isFromFileOfUser(scene.description.cloths[static_cast<std::size_t>(&part - scene.cloths.data())]);
   };
   const auto found = std::ranges::find_if(scene.cloths, isFromFile);
   const MeshPlacement& placement = (found == scene.cloths.end() ? scene.cloths.front() : *found).placement;
@@ -314,6 +354,11 @@ WrittenScene writeScene(const Scene& scene, const SceneNow& now, const std::file
   if (writing.hasOwnPins()) {
     target.mesh.pins = "scene";
     result.notes.emplace_back("Pins are where the cloth starts, not where you set them");
+  }
+  if (!writing.hasSeveral()) {
+    const ReadingChoice reading = statedReading(writing, 0);
+    target.mesh.unit = reading.unit;
+    target.mesh.up = reading.up;
   }
   const auto textWith = [&](const std::vector<const settings::SettingInfo*>& written) {
     return document + '\n' + settingsText(target, written);
