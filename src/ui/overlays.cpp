@@ -188,12 +188,18 @@ bool replaceQuestion(PanelContext& context, const UiRect& view, const std::strin
   return !replace && !keep;
 }
 
-bool quitQuestion(PanelContext& context, const UiRect& view) {
+text::Sentence whatQuittingLoses(const std::optional<ExportProgress>& exporting, bool hasChanges) {
+  if (!exporting) {
+    return text::Sentence(hasChanges ? "Your changes to this scene would be lost." : "Nothing would be lost.");
+  }
+  return text::Sentence(
+      hasChanges ? "The export of {} and your changes to this scene would be lost." : "The export of {} would be lost.",
+      exporting->file);
+}
+
+bool quitQuestion(PanelContext& context, const UiRect& view, bool hasChanges) {
   beginDialog(context, view, "quit", "Quit?");
-  ImGui::TextUnformatted(context
-                             .texts(context.stats.exporting ? "The export would stop, and changes of the scene be lost."
-                                                            : "Your changes to this scene would be lost.")
-                             .c_str());
+  ImGui::TextUnformatted(context.texts(whatQuittingLoses(context.stats.exporting, hasChanges)).c_str());
   ImGui::Spacing();
   const bool quit = iconButton(context, "quit", Icon::None, "Quit (Enter)",
                                widthOfButton(context, "Quit (Enter)", 130.0F * context.scale), true) ||

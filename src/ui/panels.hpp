@@ -153,8 +153,11 @@ void readingNotice(PanelContext& context, OverlayStack& stack);
 /// Asks before a scene file is replaced. False once it is answered.
 [[nodiscard]] bool replaceQuestion(PanelContext& context, const UiRect& view, const std::string& file);
 
+/// What is lost by quitting: the export that is under way, and changes of the scene that are not saved.
+[[nodiscard]] text::Sentence whatQuittingLoses(const std::optional<ExportProgress>& exporting, bool hasChanges);
+
 /// Asks before changes are lost. False once it is answered.
-[[nodiscard]] bool quitQuestion(PanelContext& context, const UiRect& view);
+[[nodiscard]] bool quitQuestion(PanelContext& context, const UiRect& view, bool hasChanges);
 
 /// Shows the direction and speed of the wind from above; dragging changes it.
 void windDial(PanelContext& context);

@@ -44,6 +44,7 @@ struct UserInterface::Parts {
   bool notices = true;
   bool help = false;
   bool asksToQuit = false;
+  bool quittingLosesChanges = false;    ///< of the scene, as of the question
   std::string replaced;                 ///< the scene file that the user may want to replace; empty: no question
   std::optional<DroppedFiles> dropped;  ///< the user must choose the cloth among these
   DropChoices dropChoices;              ///< the answers so far
@@ -148,7 +149,7 @@ void UserInterface::Parts::overlays(PanelContext& panel, const UiRect& view) {
 /// One at a time: they share their place and their keys. closeOverlay() has the same order.
 void UserInterface::Parts::dialog(PanelContext& panel, const UiRect& view) {
   if (asksToQuit) {
-    asksToQuit = quitQuestion(panel, view);
+    asksToQuit = quitQuestion(panel, view, quittingLosesChanges);
   } else if (!replaced.empty()) {
     if (!replaceQuestion(panel, view, replaced)) {
       replaced.clear();
@@ -402,8 +403,9 @@ bool UserInterface::asksWhichIsTheCloth() const {
   return parts_->dropped.has_value();
 }
 
-void UserInterface::askToQuit() {
+void UserInterface::askToQuit(bool hasChanges) {
   parts_->asksToQuit = true;
+  parts_->quittingLosesChanges = hasChanges;
 }
 
 void UserInterface::askToReplace(const std::string& file) {

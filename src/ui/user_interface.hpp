@@ -81,8 +81,9 @@ class UserInterface {
   [[nodiscard]] bool asksWhichIsTheCloth() const;
 
   /// Asks whether to quit although changes are lost; the answer yes is UiAction::QuitAndLoseChanges. Hides another
-  /// question until this one is answered.
-  void askToQuit();
+  /// question until this one is answered. The export that is under way is named too.
+  /// @param hasChanges whether the scene has changes that are not saved
+  void askToQuit(bool hasChanges);
 
   /// Asks whether to replace that scene file; the answer yes is a SaveSceneRequest.
   void askToReplace(const std::string& file);

@@ -118,8 +118,12 @@ TEST_P(GermanPanels, TranslateBoxesAndQuestions) {
   panels_.askToReplace("a.toml");
   expectComplete("the question about a file");
   panels_.forgetQuestions();
-  panels_.askToQuit();
+  panels_.askToQuit(true);
   expectComplete("the question before the end");
+  panels_.askToQuit(false);
+  expectComplete("the question before the end of an export");
+  stats_.exporting.reset();
+  expectComplete("the question when the export has ended");
 }
 
 TEST_P(GermanPanels, KeepTheNamesOfAllRectangles) {

@@ -2,6 +2,7 @@
 
 #include "panel_fixture.hpp"
 #include "sim/solvers/solver.hpp"
+#include "ui/panels.hpp"
 
 #include <imgui.h>
 
@@ -342,7 +343,7 @@ TEST_F(UserInterfaceTest, ResetAllAppearsWhenAValueDiffers) {
 }
 
 TEST_F(UserInterfaceTest, QuittingIsAskedAndAnswered) {
-  panels_.askToQuit();
+  panels_.askToQuit(true);
   settle();
   ASSERT_TRUE(panels_.buttons().contains("overlay.quit"));
   const UiRect dialog = button("overlay.quit");
@@ -352,21 +353,29 @@ TEST_F(UserInterfaceTest, QuittingIsAskedAndAnswered) {
   EXPECT_TRUE(click(button("button.stay")).requests.empty());
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.quit"));
-  panels_.askToQuit();
+  panels_.askToQuit(true);
   settle();
   EXPECT_TRUE(panels_.closeOverlay()) << "Esc";
   settle();
   EXPECT_FALSE(panels_.buttons().contains("overlay.quit"));
-  panels_.askToQuit();
+  panels_.askToQuit(true);
   settle();
   const UiOutput output = click(button("button.quit"));
   ASSERT_EQ(output.requests.size(), 1U);
   EXPECT_EQ(std::get<UiAction>(output.requests.front()), UiAction::QuitAndLoseChanges);
 }
 
+TEST(QuitQuestion, NamesWhatIsLost) {
+  const ExportProgress film{"film.mp4", 0.5, 3.0};
+  EXPECT_EQ(whatQuittingLoses({}, true), "Your changes to this scene would be lost.");
+  EXPECT_EQ(whatQuittingLoses(film, false), "The export of film.mp4 would be lost.");
+  EXPECT_EQ(whatQuittingLoses(film, true), "The export of film.mp4 and your changes to this scene would be lost.");
+  EXPECT_EQ(whatQuittingLoses({}, false), "Nothing would be lost.") << "the export has ended meanwhile";
+}
+
 TEST_F(UserInterfaceTest, OneQuestionIsAskedAtATime) {
   panels_.askWhichIsTheCloth({.scenes = {}, .meshes = {"/a/coat.obj", "/a/body.obj"}, .others = {}});
-  panels_.askToQuit();
+  panels_.askToQuit(true);
   panels_.showHelp(true);
   for (const char* name : {"overlay.quit", "overlay.drop", "overlay.help"}) {
     settle();

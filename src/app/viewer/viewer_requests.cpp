@@ -268,8 +268,9 @@ void Viewer::stopWork() {
 }
 
 void Viewer::quitOrAsk(const session::Snapshot& snapshot) {
-  if (hasUnsavedChanges(snapshot) || export_) {
-    panels_.askToQuit();
+  const bool hasChanges = hasUnsavedChanges(snapshot);
+  if (hasChanges || export_) {
+    panels_.askToQuit(hasChanges);
   } else {
     glfwSetWindowShouldClose(window_.window(), GLFW_TRUE);
   }
