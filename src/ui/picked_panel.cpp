@@ -88,7 +88,7 @@ void valueTable(PanelContext& context, const PickedVertices& picked) {
   }
   headRow(context, picked.vertices());
   for (std::size_t f = 0; f < sim::fields::fieldTable().size(); ++f) {
-    fieldRow(context, f, picked.samples().back(), count);
+    fieldRow(context, f, picked.now(), count);
   }
   ImGui::EndTable();
 }
@@ -105,7 +105,8 @@ void valuePlot(const PanelContext& context, const PickedVertices& picked) {
       each.points.push_back({sample.time, sample.values[i * table.size() + f]});
     }
   }
-  seriesPlot(context, table[f].title, context.texts(unitInWords(table[f].unit)), series, table[f].neutral != 0.0);
+  seriesPlot(context, table[f].title, context.texts(unitInWords(table[f].unit)), series, table[f].neutral != 0.0,
+             picked.now().time);
 }
 
 }  // namespace
@@ -131,12 +132,14 @@ void pickedPanel(PanelContext& context, const UiRect& view) {
   if (iconButton(context, "plot_picked", Icon::None, context.memory.plotsPicked ? "No plot" : "Plot", width)) {
     context.memory.plotsPicked = !context.memory.plotsPicked;
   }
-  explainItem(context, "plot_picked", "Plots the quantity that you clicked over the last 20 seconds.");
+  explainItem(context, "plot_picked",
+              "Plots the quantity that you clicked over 20 seconds. A line marks the present time.");
   ImGui::SameLine();
   if (iconButton(context, "write_csv", Icon::None, "Write CSV", width)) {
     context.output.requests.emplace_back(UiAction::SaveProbes);
   }
-  explainItem(context, "write_csv", "Writes the values of the last 20 seconds to a new file in the current folder.");
+  explainItem(context, "write_csv",
+              "Writes the values of the plot, over 20 seconds, to a new file in the current folder.");
   ImGui::SameLine();
   if (iconButton(context, "clear_picked", Icon::None, "Clear", width)) {
     picked.clear();

@@ -33,24 +33,44 @@ void PickedVertices::follow(const session::Snapshot& snapshot, fields::SnapshotF
     return;
   }
   version_ = snapshot.version;
-  if (!samples_.empty() && snapshot.time < samples_.back().time) {
-    samples_.clear();
-  }
-  const std::size_t count = samples_.size();
-  const bool crowded = count > 1 && samples_[count - 1].time - samples_[count - 2].time < spacing;
-  if (crowded || (count > 0 && snapshot.time == samples_.back().time)) {
-    samples_.pop_back();
-  }
   fields.take(snapshot);
-  samples_.push_back({snapshot.time, fields::probe(fields, vertices_)});
-  const auto recent = std::find_if(samples_.begin(), samples_.end(),
-                                   [&](const Sample& sample) { return sample.time >= snapshot.time - window; });
-  samples_.erase(samples_.begin(), recent);
+  now_ = {snapshot.time, fields::probe(fields, vertices_)};
+  // Later values are those of a motion that the simulation has left, unless the timeline still has it.
+  const double newest = snapshot.timeline ? std::max(snapshot.timeline->end, snapshot.time) : snapshot.time;
+  samples_.erase(std::ranges::upper_bound(samples_, newest, {}, &Sample::time), samples_.end());
+  add(now_);
+  const auto old = std::ranges::lower_bound(samples_, samples_.back().time - kept, {}, &Sample::time);
+  samples_.erase(samples_.begin(), old);
+}
+
+void PickedVertices::add(const Sample& sample) {
+  const auto next = std::ranges::lower_bound(samples_, sample.time, {}, &Sample::time);
+  if (next != samples_.end() && next->time == sample.time) {
+    *next = sample;
+  } else if (next != samples_.end()) {
+    samples_.insert(next, sample);
+  } else {
+    const std::size_t count = samples_.size();
+    if (count > 1 && samples_[count - 1].time - samples_[count - 2].time < spacing) {
+      samples_.pop_back();
+    }
+    samples_.push_back(sample);
+  }
+}
+
+std::span<const PickedVertices::Sample> PickedVertices::samples() const {
+  if (samples_.empty()) {
+    return {};
+  }
+  const double end = std::min(samples_.back().time, now_.time + 0.5 * window);
+  const auto first = std::ranges::lower_bound(samples_, end - window, {}, &Sample::time);
+  const auto last = std::ranges::upper_bound(samples_, end, {}, &Sample::time);
+  return {first, last};
 }
 
 std::string PickedVertices::csv() const {
   std::string table = fields::probeTitles(vertices_);
-  for (const Sample& sample : samples_) {
+  for (const Sample& sample : samples()) {
     table += fields::probeLine(sample.time, sample.values);
   }
   return table;

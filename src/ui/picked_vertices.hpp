@@ -10,13 +10,16 @@
 
 namespace drape::ui {
 
-/// The vertices that the user has marked, and their values in the last seconds of simulated time. Another mesh and a
-/// reset start the values again; another scene has no marks.
+/// The vertices that the user has marked, and their values in some seconds of simulated time. Values stay when the
+/// simulation returns to an earlier time of its timeline, and end where another motion replaces them. Another scene has
+/// no marks.
 class PickedVertices {
  public:
   static constexpr std::size_t maxCount = 4;
-  /// Length of the history [s].
+  /// Length of what is shown [s].
   static constexpr double window = 20.0;
+  /// Length of what is kept: that of the timeline [s].
+  static constexpr double kept = 60.0;
   /// Minimum distance between samples, except for the newest [s].
   static constexpr double spacing = 0.02;
 
@@ -34,14 +37,19 @@ class PickedVertices {
   void follow(const session::Snapshot& snapshot, fields::SnapshotFields& fields);
 
   [[nodiscard]] std::span<const int> vertices() const { return vertices_; }
-  /// In order of time.
-  [[nodiscard]] std::span<const Sample> samples() const { return samples_; }
-  /// All samples as a table (fields::probeTitles).
+  /// Those of the last seconds, in order of time. After a return to a time long ago, those around it.
+  [[nodiscard]] std::span<const Sample> samples() const;
+  /// The values at the present time. There must be samples.
+  [[nodiscard]] const Sample& now() const { return now_; }
+  /// samples() as a table (fields::probeTitles).
   [[nodiscard]] std::string csv() const;
 
  private:
   std::vector<int> vertices_;
+  void add(const Sample& sample);
+
   std::vector<Sample> samples_;
+  Sample now_;
   std::shared_ptr<const scene::Scene> scene_;
   std::int64_t version_ = -1;
 };

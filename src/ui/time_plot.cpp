@@ -116,14 +116,35 @@ void drawCurve(const PanelContext& context, const Frame& frame, const PlotSeries
   stroke();
 }
 
-void legendRow(const PanelContext& context, const PlotSeries& curve, std::string_view unit, bool close) {
+/// A line at a time, as long as curves go on after it. Its rectangle is stored as "plot.present".
+void markPresent(const PanelContext& context, const Frame& frame, double newest, double present) {
+  if (present >= newest || present < frame.start) {
+    return;
+  }
+  const float x = std::round(frame.x(present));
+  ImGui::GetWindowDrawList()->AddLine({x, frame.low.y}, {x, frame.high.y}, ImGui::GetColorU32(palette().text),
+                                      std::max(1.0F, context.scale));
+  context.buttons["plot.present"] = {x, frame.low.y, 1.0, frame.high.y - frame.low.y};
+}
+
+/// The value at a time, or the newest one.
+std::optional<double> valueAt(const PlotSeries& curve, std::optional<double> time) {
+  const auto found = time ? std::ranges::find(curve.points, *time, &PlotPoint::time) : curve.points.end();
+  if (found != curve.points.end()) {
+    return found->value;
+  }
+  return curve.points.empty() ? std::nullopt : curve.points.back().value;
+}
+
+void legendRow(const PanelContext& context, const PlotSeries& curve, std::string_view unit, bool close,
+               std::optional<double> present) {
   const float length = ImGui::GetFontSize();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float y = at.y + ImGui::GetTextLineHeight() * 0.5F;
   ImGui::GetWindowDrawList()->AddLine({at.x, y}, {at.x + length, y}, ImGui::GetColorU32(curve.colour),
                                       2.5F * context.scale);
   ImGui::Indent(length * 1.5F);
-  const std::optional<double> value = curve.points.empty() ? std::nullopt : curve.points.back().value;
+  const std::optional<double> value = valueAt(curve, present);
   const auto inWords = [&](double number) {
     constexpr int digitsOfClose = 5;
     return close ? text::figure(number, digitsOfClose) + " " + std::string(unit) : text::formatQuantity(number, unit);
@@ -170,7 +191,7 @@ void timePlot(const PanelContext& context, const Wording& title, std::string_vie
 }
 
 void seriesPlot(const PanelContext& context, const Wording& title, std::string_view unit,
-                std::span<const PlotSeries> series, bool close) {
+                std::span<const PlotSeries> series, bool close, std::optional<double> present) {
   ImGui::Dummy({0.0F, 2.0F * context.scale});
   mutedText(context.texts(title) + " [" + std::string(unit) + "]", palette().text);
   const float line = ImGui::GetTextLineHeight();
@@ -190,8 +211,11 @@ void seriesPlot(const PanelContext& context, const Wording& title, std::string_v
   for (const PlotSeries& each : series) {
     drawCurve(context, frame, each);
   }
+  if (present && !series.empty() && !series.front().points.empty()) {
+    markPresent(context, frame, series.front().points.back().time, *present);
+  }
   for (const PlotSeries& each : series) {
-    legendRow(context, each, unit, close);
+    legendRow(context, each, unit, close, present);
   }
 }
 

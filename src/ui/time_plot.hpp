@@ -47,8 +47,10 @@ struct PlotScale {
 /// Draws the curves with a scale, a line at zero and the time axis, then a legend with the newest values. Ignores
 /// values that are not finite.
 /// @param close whether the scale may leave out zero
+/// @param present a time at which a point of each series is [s]: a line marks it where it is not the newest one, and
+/// the legend has the values there
 void seriesPlot(const PanelContext& context, const Wording& title, std::string_view unit,
-                std::span<const PlotSeries> series, bool close = false);
+                std::span<const PlotSeries> series, bool close = false, std::optional<double> present = std::nullopt);
 
 /// The same for curves of the measures.
 void timePlot(const PanelContext& context, const Wording& title, std::string_view unit,

@@ -151,6 +151,39 @@ TEST_F(FieldPanels, TheHistoryHasOneSampleForEachTimeAndStartsAgainAfterAReset) 
   EXPECT_EQ(panels_.picked().samples().size(), 1U);
 }
 
+TEST_F(FieldPanels, TheHistoryStaysWhenTheTimelineGoesBackAndThePlotMarksThePresentTime) {
+  simulation_.apply(session::SetSettingCommand{"timeline.memory", 100.0});
+  panels_.pick(7);
+  for (int i = 0; i < 60; ++i) {
+    simulation_.step();
+    fieldFrame();
+  }
+  fieldFrame();
+  click(button("picked.speed"));
+  const double newest = simulation_.state().time;
+  EXPECT_FALSE(shows("plot.present")) << "the newest time needs no mark";
+  const std::size_t count = panels_.picked().samples().size();
+  simulation_.apply(session::GoToCommand{0.5 * newest});
+  const double present = simulation_.state().time;
+  ASSERT_LT(present, 0.6 * newest);
+  fieldFrame();
+  const auto samples = panels_.picked().samples();
+  EXPECT_GE(samples.size(), count);
+  EXPECT_DOUBLE_EQ(samples.back().time, newest);
+  EXPECT_DOUBLE_EQ(panels_.picked().now().time, present);
+  EXPECT_TRUE(std::ranges::is_sorted(samples, {}, &PickedVertices::Sample::time));
+  ASSERT_TRUE(shows("plot.present"));
+  const double middle = button("plot.present").x;
+  simulation_.apply(session::GoToCommand{0.25 * newest});
+  fieldFrame();
+  EXPECT_LT(button("plot.present").x, middle);
+  for (int i = 0; i < 10; ++i) {
+    simulation_.step();
+    fieldFrame();
+  }
+  EXPECT_LT(panels_.picked().samples().back().time, 0.6 * newest) << "another motion replaces what came later";
+}
+
 TEST_F(FieldPanels, AnotherSceneHasNoPickedVertices) {
   panels_.pick(7);
   fieldFrame();
