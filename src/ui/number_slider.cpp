@@ -57,6 +57,16 @@ double roundedForDisplay(double value) {
   return std::strtod(settings::formatValue(std::round(value / unit) * unit).c_str(), nullptr);
 }
 
+/// The number of a slider. Where it is wider than the slider, it has fewer digits and no unit.
+std::string shownNumber(const SliderInput& input, double value, float width) {
+  const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
+  std::string text = fmt::sprintf(input.format, value);
+  for (int digits = 4; digits > 0 && ImGui::CalcTextSize(text.c_str()).x > room; --digits) {
+    text = fmt::format("{:.{}g}", value, digits);
+  }
+  return text;
+}
+
 /// Draws field, filled part, slider handle and number over the last item.
 void paint(const PanelContext& context, const SliderInput& input, const settings::SettingValue& value) {
   const ImVec2 low = ImGui::GetItemRectMin();
@@ -79,7 +89,7 @@ void paint(const PanelContext& context, const SliderInput& input, const settings
   }
   const float half = 1.5F * context.scale;
   const float handle = std::clamp(low.x + width * static_cast<float>(place), low.x + half, high.x - half);
-  const std::string text = fmt::sprintf(input.format, asNumber(value));
+  const std::string text = shownNumber(input, asNumber(value), width);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
   const ImVec2 at{high.x - size.x - ImGui::GetStyle().FramePadding.x, low.y + ImGui::GetStyle().FramePadding.y};
   // Where the handle meets the number, only its foot is drawn, so that the number can be read.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drape::ui {
 namespace {
@@ -12,7 +13,8 @@ constexpr ImGuiWindowFlags overlayFlags = ImGuiWindowFlags_NoDecoration | ImGuiW
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                           ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 constexpr int styleVariables = 3;
-constexpr float widestText = 44.0F;  // [heights of the text]
+constexpr float modeBoxMargin = 12.0F;  // around and inside the box of a mode, at scale 1
+constexpr float widestText = 44.0F;     // [heights of the text]
 
 void remember(PanelContext& context, const std::string& name) {
   const ImVec2 at = ImGui::GetWindowPos();
@@ -119,12 +121,54 @@ void beginCorner(PanelContext& context, const std::string& name, const ImVec2& a
   remember(context, name);
 }
 
-void beginModeBox(PanelContext& context, const std::string& name, const UiRect& view) {
-  const float margin = 12.0F * context.scale;
+float modeBoxWidth(const PanelContext& context, const UiRect& view) {
+  constexpr float narrowest = 9.0F;  // [heights of the text]
+  constexpr float usual = 18.0F;     // [heights of the text]
+  const float margin = modeBoxMargin * context.scale;
+  const float around = 4.0F * margin + ImGui::GetStyle().ScrollbarSize;  // two margins and two paddings
+  return std::clamp(static_cast<float>(view.width) - around, narrowest * ImGui::GetFontSize(),
+                    usual * ImGui::GetFontSize());
+}
+
+namespace {
+
+/// The place nearest to `at` where the whole of a side is in a range.
+float within(float at, float side, double low, double range) {
+  const auto first = static_cast<float>(low);
+  return std::clamp(at, first, std::max(first, first + static_cast<float>(range) - side));
+}
+
+bool differ(const UiRect& a, const UiRect& b) {
+  return a.x != b.x || a.y != b.y || a.width != b.width || a.height != b.height;
+}
+
+/// At first the corner of the picture. The user may have dragged the box elsewhere; where the picture or the size of
+/// the box becomes another one, the box stays in the picture.
+void placeModeBox(PanelContext& context, const std::string& name, const UiRect& view, float margin) {
   ImGui::SetNextWindowPos({static_cast<float>(view.x) + margin, static_cast<float>(view.y) + margin},
                           ImGuiCond_Appearing);
+  const ImGuiWindow* before = ImGui::FindWindowByName(name.c_str());
+  if (before == nullptr || !before->WasActive) {
+    return;
+  }
+  const UiRect size{0.0, 0.0, before->Size.x, before->Size.y};
+  const bool isOtherView = differ(std::exchange(context.memory.modeBoxView, view), view);
+  const bool isOtherSize = differ(std::exchange(context.memory.modeBoxSize, size), size);
+  if (isOtherView || isOtherSize) {
+    ImGui::SetNextWindowPos({within(before->Pos.x, before->Size.x, view.x, view.width),
+                             within(before->Pos.y, before->Size.y, view.y, view.height)});
+  }
+}
+
+}  // namespace
+
+void beginModeBox(PanelContext& context, const std::string& name, const UiRect& view) {
+  const float margin = modeBoxMargin * context.scale;
+  ImGui::SetNextWindowSizeConstraints(
+      {0.0F, 0.0F}, {static_cast<float>(view.width), static_cast<float>(view.height) - 2.0F * margin});
+  placeModeBox(context, name, view, margin);
   pushStyle(margin, 0.9F);
-  ImGui::Begin(name.c_str(), nullptr, overlayFlags & ~ImGuiWindowFlags_NoMove);
+  ImGui::Begin(name.c_str(), nullptr, overlayFlags & ~(ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoScrollbar));
   remember(context, name);
 }
 

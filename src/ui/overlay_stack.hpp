@@ -51,8 +51,12 @@ void beginCorner(PanelContext& context, const std::string& name, const ImVec2& a
 void endCorner();
 
 /// Opens the box of a mode at the upper left corner of the picture. The user can drag it elsewhere by its background.
-/// endCorner() closes it. @param name one of "overlay.placing", "overlay.selection" and "overlay.sewing"
+/// It scrolls where the picture is too low for it. endCorner() closes it. @param name one of "overlay.placing",
+/// "overlay.selection" and "overlay.sewing"
 void beginModeBox(PanelContext& context, const std::string& name, const UiRect& view);
+
+/// The width of what is in the box of a mode, which fits into the picture of a narrow window [window units].
+[[nodiscard]] float modeBoxWidth(const PanelContext& context, const UiRect& view);
 
 /// Opens a box in the middle of the picture, with a title, and stores its rectangle as "overlay.NAME". endDialog()
 /// closes it.

@@ -101,6 +101,8 @@ struct PanelMemory {
   std::optional<double> scrubbed;  ///< time to which the timeline was dragged last [s]
   bool plotsPicked = false;        ///< whether the values of picked vertices are plotted
   std::size_t plottedField = 0;    ///< of the picked vertices; an index into fieldTable()
+  UiRect modeBoxView;              ///< the picture in which the box of a mode is [window units]
+  UiRect modeBoxSize;              ///< width and height of that box [window units]
   bool hasDragged = false;         ///< whether the user has ever dragged the cloth
   std::string status;              ///< the full text of the status line
 };

@@ -1,6 +1,7 @@
 // The box of the mode Place: the thing, the tool, and its placement in numbers.
 #include "messages/error.hpp"
 #include "text/number_text.hpp"
+#include "ui/button_row.hpp"
 #include "ui/names_in_words.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
@@ -36,11 +37,6 @@ struct PlacingEdit {
   std::optional<double> value;  ///< the new one
   bool finished = false;        ///< whether the user let go of it
 };
-
-/// Of what is in the box [window units].
-float boxWidth() {
-  return 18.0F * ImGui::GetFontSize();
-}
 
 void ask(PanelContext& context, PlacingRequest request) {
   context.output.requests.emplace_back(std::move(request));
@@ -93,9 +89,9 @@ constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
 
 /// A row of three numbers. @return the new vector when the user changed one; the edit says whether that is finished
 std::optional<Vec3> vectorRow(PanelContext& context, const char* title, const PlacingNumber& common, const Vec3& value,
-                              PlacingEdit& edit) {
+                              float boxWidth, PlacingEdit& edit) {
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-  const float width = (boxWidth() - 2.0F * gap) / 3.0F;
+  const float width = (boxWidth - 2.0F * gap) / 3.0F;
   mutedText(context.texts(title));
   std::optional<Vec3> changed;
   for (int axis = 0; axis < 3; ++axis) {
@@ -120,13 +116,13 @@ std::optional<Vec3> vectorRow(PanelContext& context, const char* title, const Pl
   return changed;
 }
 
-void positionRow(PanelContext& context, const PlacingView& placing) {
+void positionRow(PanelContext& context, const PlacingView& placing, float width) {
   constexpr double near = 3.0;   // [m]
   constexpr double far = 100.0;  // [m]
   PlacingEdit edit;
   const auto changed = vectorRow(context, "Position of the middle [m]",
                                  {"placing.position", "Position", "%.3f", " m", {-near, near, false}, -far, far, 0.0},
-                                 placing.middle, edit);
+                                 placing.middle, width, edit);
   std::optional<scene::Placement> placement;
   if (changed) {
     placement = scene::movedTo(placing.placement, placing.rawMiddle, *changed);
@@ -134,14 +130,14 @@ void positionRow(PanelContext& context, const PlacingView& placing) {
   take(context, edit, placement);
 }
 
-void rotationRow(PanelContext& context, const PlacingView& placing) {
+void rotationRow(PanelContext& context, const PlacingView& placing, float width) {
   constexpr double half = 180.0;   // [degrees]
   constexpr double whole = 360.0;  // [degrees]
   PlacingEdit edit;
   const auto changed =
       vectorRow(context, "Rotation, axis times angle [degrees]",
                 {"placing.rotation", "Rotation", "%.1f", " \u00B0", {-half, half, false}, -whole, whole, 0.0},
-                placing.placement.rotation, edit);
+                placing.placement.rotation, width, edit);
   std::optional<scene::Placement> placement;
   if (changed) {
     placement = scene::withRotation(placing.placement, placing.rawMiddle, *changed);
@@ -149,7 +145,7 @@ void rotationRow(PanelContext& context, const PlacingView& placing) {
   take(context, edit, placement);
 }
 
-void scaleRow(PanelContext& context, const PlacingView& placing) {
+void scaleRow(PanelContext& context, const PlacingView& placing, float width) {
   mutedText(context.texts("Scale"));
   const std::string refusal = scene::whyNotScaled(context.snapshot.scene->description, placing.thing);
   if (!refusal.empty()) {
@@ -165,7 +161,7 @@ void scaleRow(PanelContext& context, const PlacingView& placing) {
                                         scene::minPlacementScale,
                                         scene::maxPlacementScale,
                                         placing.placement.scale},
-                                       boxWidth());
+                                       width);
   explainItem(
       context, "placing.scale",
       "Factor of the size in the scene. A cloth is larger at rest then, so it weighs more and is not stretched.");
@@ -176,7 +172,7 @@ void scaleRow(PanelContext& context, const PlacingView& placing) {
   take(context, edit, placement);
 }
 
-void thingRow(PanelContext& context, const PlacingView& placing) {
+void thingRow(PanelContext& context, const PlacingView& placing, float width) {
   const scene::SceneDescription& description = context.snapshot.scene->description;
   const std::vector<scene::Placeable> things = scene::placeablesOf(description);
   const std::string name = context.texts(inWords(description, placing.thing));
@@ -188,7 +184,7 @@ void thingRow(PanelContext& context, const PlacingView& placing) {
   const std::string place = context.texts("Place");
   ImGui::TextUnformatted(place.c_str());
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(boxWidth() - ImGui::CalcTextSize(place.c_str()).x - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetNextItemWidth(width - ImGui::CalcTextSize(place.c_str()).x - ImGui::GetStyle().ItemSpacing.x);
   if (ImGui::BeginCombo("##thing", name.c_str())) {
     for (const scene::Placeable& thing : things) {
       if (ImGui::Selectable(context.texts(inWords(description, thing)).c_str(), thing == placing.thing)) {
@@ -201,10 +197,10 @@ void thingRow(PanelContext& context, const PlacingView& placing) {
   context.buttons["placing.thing"] = lastItemRect();
 }
 
-void toolRow(PanelContext& context, const PlacingView& placing) {
+void toolRow(PanelContext& context, const PlacingView& placing, float width) {
   static constexpr std::array<Segment, 3> tools{{{"move", "Move"}, {"turn", "Turn"}, {"scale", "Scale"}}};
   const auto chosen = static_cast<std::size_t>(placing.tool);
-  ImGui::SetNextItemWidth(boxWidth());
+  ImGui::SetNextItemWidth(width);
   const std::size_t next = segments(context, "placing.tool", tools, chosen);
   if (next != chosen) {
     ask(context, {.kind = Kind::UseTool, .tool = static_cast<PlacingTool>(next)});
@@ -212,16 +208,16 @@ void toolRow(PanelContext& context, const PlacingView& placing) {
 }
 
 /// The unit and the up axis of its file, if the user can change them.
-void readingRows(PanelContext& context, const PlacingView& placing) {
+void readingRows(PanelContext& context, const PlacingView& placing, float width) {
   if (!placing.reading) {
     return;
   }
   scene::ReadingChoice reading = *placing.reading;
   mutedText(context.texts("Unit of its file"));
-  ImGui::SetNextItemWidth(boxWidth());
+  ImGui::SetNextItemWidth(width);
   reading.unit = unitChoice(context, "placing.unit", reading.unit);
   mutedText(context.texts("Up axis of its file"));
-  ImGui::SetNextItemWidth(boxWidth());
+  ImGui::SetNextItemWidth(width);
   reading.up = upChoice(context, "placing.up", reading.up);
   if (reading != *placing.reading) {
     ask(context, {.kind = Kind::Read, .reading = reading});
@@ -229,18 +225,17 @@ void readingRows(PanelContext& context, const PlacingView& placing) {
 }
 
 /// Puts the cloth on a body, and dresses the body from there.
-void dressRow(PanelContext& context) {
+void dressRow(PanelContext& context, float width) {
   if (!hasBodyToDress(context.snapshot)) {
     return;
   }
-  const float width = (boxWidth() - ImGui::GetStyle().ItemSpacing.x) / 2.0F;
-  if (iconButton(context, "place_on_body", Icon::None, "To the body", width)) {
+  ButtonRow row(context, width, {"To the body", "Dress"});
+  if (row.button(context, "place_on_body", "To the body")) {
     context.output.requests.emplace_back(UiAction::PlaceOnBody);
   }
   explainItem(context, "place_on_body",
               "Puts the cloth where the body would wear it: by neck, sleeves or waist, else by its size.");
-  ImGui::SameLine();
-  if (iconButton(context, "dress_placed", Icon::None, "Dress", width)) {
+  if (row.button(context, "dress_placed", "Dress")) {
     context.output.requests.emplace_back(UiAction::Dress);
   }
   explainItem(context, "dress_placed",
@@ -248,20 +243,18 @@ void dressRow(PanelContext& context) {
               "another place.");
 }
 
-void buttonRow(PanelContext& context) {
-  const float width = (boxWidth() - 2.0F * ImGui::GetStyle().ItemSpacing.x) / 3.0F;
-  if (iconButton(context, "place_on_ground", Icon::None, "To ground", width)) {
+void buttonRow(PanelContext& context, float width) {
+  ButtonRow row(context, width, {"To ground", "Restore", "Done (Esc)"});
+  if (row.button(context, "place_on_ground", "To ground")) {
     ask(context, {.kind = Kind::OnGround});
   }
   explainItem(context, "place_on_ground",
               "Lets the lowest point touch the ground. Cloth keeps its contact offset from it.");
-  ImGui::SameLine();
-  if (iconButton(context, "restore_placement", Icon::None, "Restore", width)) {
+  if (row.button(context, "restore_placement", "Restore")) {
     ask(context, {.kind = Kind::Restore});
   }
   explainItem(context, "restore_placement", "Puts it back to where the scene file has it.");
-  ImGui::SameLine();
-  if (iconButton(context, "end_placing", Icon::None, "Done (Esc)", width, true)) {
+  if (row.button(context, "end_placing", "Done (Esc)", true, true)) {
     ask(context, {.kind = Kind::End});
   }
 }
@@ -288,16 +281,17 @@ void placingBox(PanelContext& context, const UiRect& view) {
   const PlacingView& placing = *context.stats.placing;
   drawGizmo(context, placing, view);
   beginModeBox(context, "overlay.placing", view);
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + boxWidth());
-  thingRow(context, placing);
-  toolRow(context, placing);
+  const float width = modeBoxWidth(context, view);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+  thingRow(context, placing, width);
+  toolRow(context, placing, width);
   mutedText(context.texts(helpOf(placing.tool)));
-  positionRow(context, placing);
-  rotationRow(context, placing);
-  scaleRow(context, placing);
-  readingRows(context, placing);
-  dressRow(context);
-  buttonRow(context);
+  positionRow(context, placing, width);
+  rotationRow(context, placing, width);
+  scaleRow(context, placing, width);
+  readingRows(context, placing, width);
+  dressRow(context, width);
+  buttonRow(context, width);
   ImGui::PopTextWrapPos();
   endCorner();
 }

@@ -1,4 +1,5 @@
 #include "text/number_text.hpp"
+#include "ui/button_row.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
 
@@ -64,37 +65,31 @@ void selectionBox(PanelContext& context, const UiRect& view) {
   }
   drawSelection(selection, view, context.scale);
   beginModeBox(context, "overlay.selection", view);
-  const float gap = ImGui::GetStyle().ItemSpacing.x;
-  float width = (17.0F * ImGui::GetFontSize() - 2.0F * gap) / 3.0F;
-  for (const char* word : {"Pin (P)", "Release", "Done (Esc)"}) {
-    width = widthOfButton(context, word, width);
-  }
-  const float all = 3.0F * width + 2.0F * gap;
+  const float all = modeBoxWidth(context, view);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + all);
   ImGui::TextUnformatted(context
                              .texts("{} selected, {} of them pinned",
                                     text::formatCount(static_cast<long long>(selection.points.size())),
                                     selection.pinned)
                              .c_str());
   if (selection.mode != SelectionMode::Off) {
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + all);
     mutedText(context.texts(selection.mode == SelectionMode::Rectangle ? rectangleHelp : borderHelp));
-    ImGui::PopTextWrapPos();
   }
   modeButtons(context, selection.mode, "selection", all);
-  if (iconButton(context, "pin_selected", Icon::None, "Pin (P)", width, true)) {
+  ButtonRow row(context, all, {"Pin (P)", "Release", "Done (Esc)"});
+  if (row.button(context, "pin_selected", "Pin (P)", true, true)) {
     request(context, UiAction::PinSelected);
   }
   explainItem(context, "pin_selected", "Pins the selected vertices where they are.");
-  ImGui::SameLine();
-  if (iconButton(context, "release_selected", Icon::None, "Release", width)) {
+  if (row.button(context, "release_selected", "Release")) {
     request(context, UiAction::ReleaseSelected);
   }
   explainItem(context, "release_selected", "Releases the selected vertices. P does it when all of them are pinned.");
-  ImGui::SameLine();
-  if (iconButton(context, "end_selection", Icon::None, "Done (Esc)", width)) {
+  if (row.button(context, "end_selection", "Done (Esc)")) {
     request(context, UiAction::EndSelection);
   }
   pinKeyRows(context, selection.vertices, all);
+  ImGui::PopTextWrapPos();
   endCorner();
 }
 

@@ -1,6 +1,7 @@
 // The box of the mode Sew: what is made, the picked borders, and what can be done with them.
 #include "messages/sentence_error.hpp"
 #include "text/number_text.hpp"
+#include "ui/button_row.hpp"
 #include "ui/number_slider.hpp"
 #include "ui/panels.hpp"
 #include "ui/widgets.hpp"
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -21,12 +21,6 @@ using Kind = SewingRequest::Kind;
 
 /// The usual lengths of an elastic band, for its slider [-]. A typed one may be in the range of scene files.
 constexpr SliderRange usualLengths{0.5, 1.0, false};
-
-/// Of what is in the box, which fits into the picture of a narrow window [window units].
-float boxWidth(const UiRect& view, float margin) {
-  const float room = static_cast<float>(view.width) - 2.0F * (margin + ImGui::GetStyle().WindowPadding.x);
-  return std::clamp(room, 9.0F * ImGui::GetFontSize(), 18.0F * ImGui::GetFontSize());
-}
 
 void ask(PanelContext& context, SewingRequest request) {
   context.output.requests.emplace_back(request);
@@ -96,39 +90,6 @@ void seamNote(PanelContext& context, const SewingView& sewing) {
     mutedText(context.texts("The clock is paused. Seams close while it runs (Space)."));
   }
 }
-
-/// Buttons side by side, in as many lines as they need.
-class ButtonRow {
- public:
-  ButtonRow(const PanelContext& context, float width, std::initializer_list<const char*> words)
-      : gap_(ImGui::GetStyle().ItemSpacing.x),
-        right_(ImGui::GetCursorPosX() + width),
-        width_((width - 2.0F * gap_) / 3.0F) {
-    for (const char* word : words) {
-      width_ = widthOfButton(context, word, width_);
-    }
-  }
-
-  /// A button that may be disabled. @return whether it was pressed
-  bool button(PanelContext& context, const char* name, const char* word, bool isEnabled, bool strong = false) {
-    if (std::exchange(isFollowing_, true)) {
-      ImGui::SameLine();
-      if (ImGui::GetCursorPosX() + width_ > right_ + 1.0F) {
-        ImGui::NewLine();
-      }
-    }
-    ImGui::BeginDisabled(!isEnabled);
-    const bool pressed = iconButton(context, name, Icon::None, word, width_, strong);
-    ImGui::EndDisabled();
-    return pressed;
-  }
-
- private:
-  float gap_;
-  float right_;  // of the row [window units]
-  float width_;  // of a button [window units]
-  bool isFollowing_ = false;
-};
 
 void endButton(PanelContext& context, ButtonRow& row) {
   if (row.button(context, "end_sewing", "Done (Esc)", true)) {
@@ -216,7 +177,7 @@ void sewingBox(PanelContext& context, const UiRect& view) {
   const SewingView& sewing = *context.stats.sewing;
   drawSewing(context, sewing, view);
   beginModeBox(context, "overlay.sewing", view);
-  const float width = boxWidth(view, 12.0F * context.scale);
+  const float width = modeBoxWidth(context, view);
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   kindRow(context, sewing, width);
   extentRow(context, sewing, width);

@@ -292,7 +292,7 @@ std::vector<float> segmentWidths(const PanelContext& context, std::span<const Se
   const float equal = all / static_cast<float>(choices.size());
   const bool allFit = std::ranges::all_of(widths, [&](float width) { return width <= equal; });
   for (float& width : widths) {
-    width = allFit ? equal : all * width / sum;
+    width = allFit ? equal : width * std::max(1.0F, all / sum);
   }
   return widths;
 }
@@ -306,10 +306,16 @@ std::size_t segments(PanelContext& context, const std::string& name, std::span<c
   const auto count = static_cast<float>(choices.size());
   const float all = ImGui::CalcItemWidth() - gap * (count - 1.0F);
   const std::vector<float> widths = segmentWidths(context, choices, all);
+  const float left = ImGui::GetCursorPosX();
+  const float right = left + ImGui::CalcItemWidth();
   ImGui::PushID(name.c_str());
   for (std::size_t i = 0; i < choices.size(); ++i) {
     if (i > 0) {
       ImGui::SameLine(0.0F, gap);
+    }
+    if (i > 0 && ImGui::GetCursorPosX() + widths[i] > right + 1.0F) {
+      ImGui::NewLine();
+      ImGui::SetCursorPosX(left);
     }
     ImGui::PushStyleColor(ImGuiCol_Button, i == chosen ? palette().accentFill : palette().field);
     ImGui::PushStyleColor(ImGuiCol_Text, i == chosen ? palette().text : palette().muted);

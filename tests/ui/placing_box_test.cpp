@@ -1,6 +1,8 @@
 // The box of the mode Place: its buttons and numbers.
 #include "panel_fixture.hpp"
 
+#include "locale/language.hpp"
+
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <optional>
@@ -63,6 +65,25 @@ TEST_F(PlacingBox, HasToolsThingsAndButtons) {
   const auto thing = placingRequest(click(button("placing.thing=sphere")), PlacingRequest::Kind::Choose);
   ASSERT_TRUE(thing.has_value());
   EXPECT_EQ(thing->thing, (scene::Placeable{scene::Placeable::Kind::Body, 0}));
+}
+
+TEST_F(PlacingBox, FitsIntoThePictureOfANarrowWindowWithLargeText) {
+  for (const char* language : {"en", "de"}) {
+    panels_.useLanguage(*locale::findLanguage(language));
+    for (const float scale : {1.0F, 2.0F}) {
+      panels_.setDisplay({.width = 800, .height = 600, .density = 1.0F, .scale = scale});
+      show();
+      show();
+      const UiRect box = button("overlay.placing");
+      const UiRect view = panels_.view();
+      EXPECT_GE(box.x, view.x);
+      EXPECT_LE(box.x + box.width, view.x + view.width) << language << ", scale " << scale;
+      EXPECT_LE(box.y + box.height, view.y + view.height) << language << ", scale " << scale;
+      for (const char* name : {"button.place_on_ground", "button.restore_placement", "button.end_placing"}) {
+        EXPECT_LE(button(name).x + button(name).width, box.x + box.width) << name << ", " << language;
+      }
+    }
+  }
 }
 
 TEST_F(PlacingBox, ATypedPositionIsThatOfTheMiddle) {
