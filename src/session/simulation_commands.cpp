@@ -169,7 +169,7 @@ void Simulation::on(const DetachCommand&) {
 
 void Simulation::on(const TogglePinCommand&) {
   if (!inputs_.attachment) {
-    throw messages::InputError("Hold the cloth with the mouse, then press P to pin it there.");
+    throw messages::InputError("Hold the cloth with the mouse, or select vertices (B), then press P to pin them.");
   }
   const std::size_t nearest = sim::attachedCorners(*model_, *inputs_.attachment).nearestVertex();
   const bool pins = !model_->pinned[nearest];

@@ -57,6 +57,19 @@ render::CameraBounds boundsAround(const session::Snapshot& snapshot, const scene
   return render::boundsFor(box, snapshot.scene->groundHeight, pose);
 }
 
+/// What to do where vertices must be selected first.
+text::Sentence howToSelect(SelectionMode mode) {
+  switch (mode) {
+    case SelectionMode::Rectangle:
+      return text::Sentence("No vertices are selected: drag a rectangle over some, or click one");
+    case SelectionMode::Border:
+      return text::Sentence("No vertices are selected: click near an open border");
+    case SelectionMode::Off:
+      break;
+  }
+  return text::Sentence("No vertices are selected: B selects by a rectangle, L a border");
+}
+
 }  // namespace
 
 void InteractionController::handle(const InputEvent& event, const session::Snapshot& snapshot, UiOutput& output) {
@@ -164,7 +177,7 @@ bool InteractionController::select(UiAction action, const session::Snapshot& sna
   const std::vector<int>& vertices = selection_.vertices();
   const auto pin = [&](bool pinned) {
     if (vertices.empty()) {
-      output.hint = text::Sentence("No vertices are selected: B selects by a rectangle, L a border");
+      output.hint = howToSelect(selection_.mode());
     } else {
       output.commands.emplace_back(pinsWith(snapshot, vertices, pinned));
     }
@@ -439,7 +452,7 @@ void InteractionController::on(const KeyEvent& event, const session::Snapshot& s
   if (event.key == Key::Escape && leaveMode(snapshot, output)) {
     return;
   }
-  if (event.key == Key::P && !event.control && !holdsCloth() && !selection_.vertices().empty()) {
+  if (event.key == Key::P && !event.control && !holdsCloth() && selects()) {
     select(UiAction::TogglePinsSelected, snapshot, output);
     return;
   }

@@ -159,6 +159,15 @@ TEST_F(Interaction, KeysAreCommands) {
   EXPECT_EQ(std::get<UiAction>(send(KeyEvent{Key::Help}).requests.at(0)), UiAction::ToggleHelp);
 }
 
+TEST_F(Interaction, PInAModeThatSelectsSaysHowToSelect) {
+  send(KeyEvent{Key::B});
+  const UiOutput rectangle = send(KeyEvent{Key::P});
+  EXPECT_TRUE(rectangle.commands.empty()) << "no command about the pulled vertex";
+  EXPECT_EQ(rectangle.hint, "No vertices are selected: drag a rectangle over some, or click one");
+  send(KeyEvent{Key::L});
+  EXPECT_EQ(send(KeyEvent{Key::P}).hint, "No vertices are selected: click near an open border");
+}
+
 TEST_F(Interaction, OnlySteppingRepeats) {
   EXPECT_EQ(send(KeyEvent{Key::Period, true}).commands.size(), 1U);
   EXPECT_TRUE(send(KeyEvent{Key::Space, true}).commands.empty());
