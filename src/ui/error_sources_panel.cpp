@@ -12,7 +12,7 @@
 namespace drape::ui {
 namespace {
 
-constexpr const char* help =
+constexpr const char* comparisonHelp =
     "Runs the scene from its start in the background: with this method, and with an accurate one on this mesh, on a "
     "mesh of four times the triangles, with a material that is stiffer by 10 %, and from a displaced start. Shows how "
     "far the cloth then moves away; for the mesh twice as far, since its error halves with its cells. This can take "
@@ -60,7 +60,7 @@ void errorSourcesRows(PanelContext& context) {
     context.output.requests.emplace_back(view.share ? UiAction::CancelComparison : UiAction::CompareErrors);
   }
   context.buttons["compare_errors"] = lastItemRect();
-  explainItem(context, "compare_errors", help);
+  explainItem(context, "compare_errors", comparisonHelp);
   if (!view.sources.empty()) {
     resultRows(context, view.sources);
   }
