@@ -23,7 +23,7 @@ constexpr int usualWidth = 1440;  // of the window at scale 1
 constexpr int usualHeight = 900;
 constexpr int smallestWidth = 640;  // of the window at scale 1, so that all panels can be used
 constexpr int smallestHeight = 480;
-constexpr float largestOfSmallest = 1.25F;  // scale of the smallest size: larger text must fit on small screens too
+constexpr float maxLimitScale = 1.25F;  // of the smallest size; larger text must fit on small screens too
 constexpr auto noticeTime = std::chrono::seconds(8);
 constexpr double frameSmoothing = 0.1;  // weight of the newest frame in the average
 
@@ -181,7 +181,7 @@ void Viewer::limitWindowSize() {
   if (std::exchange(limitedScale_, display_.scale) == display_.scale) {
     return;
   }
-  const float scale = std::clamp(display_.scale, 1.0F, largestOfSmallest);
+  const float scale = std::clamp(display_.scale, 1.0F, maxLimitScale);
   glfwSetWindowSizeLimits(window_.window(), static_cast<int>(smallestWidth * scale),
                           static_cast<int>(smallestHeight * scale), GLFW_DONT_CARE, GLFW_DONT_CARE);
 }
