@@ -285,6 +285,13 @@ TEST(Run, countsIntersectingTrianglesOnlyWhenAsked) {
   EXPECT_GT(stats["intersection_check_us"]["median"], 0.0);
 }
 
+// The long form is drape-headless run walk --seconds 60 --check-intersections 1.
+TEST(Run, ofAWalkingFigureHasNoIntersectionAtAnyStepOfThreeSeconds) {
+  const auto stats = statsOf("walk --seconds 3 --check-intersections 1");
+  EXPECT_EQ(stats["intersection_checks"], 901);
+  EXPECT_EQ(stats["intersecting_pairs_max"], 0);
+}
+
 TEST(Run, findsTheStepAtWhichMostTrianglesIntersect) {
   // A triangle pinned at its top, and one that falls through the space below it.
   auto folder = testFolder();
