@@ -45,6 +45,14 @@ TEST(Dressing, bringsTheArmsBackIntoTheSleevesOfAMisplacedTshirt) {
   EXPECT_TRUE(result.faults.empty());
 }
 
+TEST(Dressing, bringsTheArmsIntoTheSleevesOfARaisedTshirt) {
+  const sim::ClothMesh garment = shifted(tshirt(), {0.0, 0.1, 0.0});
+  const Dressed result = dress(*modelOf(garment), garment.positions, mannequin(), asInFiles());
+  ASSERT_TRUE(result.fits);
+  EXPECT_EQ(result.after.all(), 0U);
+  EXPECT_TRUE(result.faults.empty());
+}
+
 TEST(Dressing, putsACapeOverArmsThatAreHeldAside) {
   const sim::ClothMesh cape = scene::testing::openCape(40.0, 0.9);
   DressingOptions options;

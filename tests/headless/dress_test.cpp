@@ -239,7 +239,7 @@ TEST(Dress, saysWhatIsWrongWithBadInput) {
   const Outcome unknown = headless("dress " + shirt + " mannequin --output " + (folder / "out.xyz").string());
   EXPECT_EQ(unknown.status, 2);
   EXPECT_NE(unknown.errors.find("out.xyz"), std::string::npos) << unknown.errors;
-  const std::string raised = failure(shirt + " mannequin --place file --move 0 0.2 0" + to);
+  const std::string raised = failure(shirt + " mannequin --place file --move 0 0.3 0" + to);
   EXPECT_NE(raised.find("the right arm passes through the sleeve's wall"), std::string::npos) << raised;
   EXPECT_FALSE(std::filesystem::exists(folder / "out.obj"));
 }
