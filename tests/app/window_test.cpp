@@ -453,7 +453,7 @@ TEST(Window, AutoShowsItsChoices) {
 }
 
 TEST(Window, AGhostIsCalledAndSentAway) {
-  ViewerDriver viewer({"grid"});
+  ViewerDriver viewer({"grid", "--paused"});  // so that it starts with the cloth, however slow the clicks are
   EXPECT_TRUE(viewer.state()["ghost"].is_null());
   viewer.click(viewer.find("section.ghost"));
   pickFromList(viewer, "ghost.solver", "one_iteration");
@@ -461,6 +461,7 @@ TEST(Window, AGhostIsCalledAndSentAway) {
   viewer.move(viewer.find("ghost.substeps", 0.7));
   viewer.press();
   viewer.release();
+  viewer.click(viewer.find("button.play"));
   viewer.waitUntil("a distance", [](const Json& s) { return s["ghost"]["distance"] > 1e-3; });
   pickFromList(viewer, "ghost.solver", "off");
   viewer.waitUntil("no ghost", [](const Json& s) { return s["ghost"].is_null(); });
