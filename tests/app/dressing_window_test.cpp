@@ -362,7 +362,7 @@ TEST(DressingInTheWindow, TheCommandDressOpensTheDressedBodyAndItsSessionReplays
 }
 
 TEST(DressingInTheWindow, AGarmentThatCannotBeWornStaysAndTheReasonIsShown) {
-  ViewerDriver viewer({"dress", "builtin:tshirt.obj", "mannequin", "--place", "file", "--move", "0", "0.2", "0"});
+  ViewerDriver viewer({"dress", "builtin:tshirt.obj", "mannequin", "--place", "file", "--move", "0", "0.3", "0"});
   const Json failed = viewer.waitUntil("the reason", [](const Json& s) { return hasButton(s, "overlay.error"); });
   EXPECT_TRUE(says(failed, "the right arm passes through the sleeve's wall")) << failed["message"];
   EXPECT_FALSE(failed["placed"].get<bool>());
