@@ -53,8 +53,9 @@ bool isInside(const ShrinkingBody& body, std::size_t frame, const std::vector<Ve
   return shareInside(points, body.frames()[frame], body.triangles()) > largestShare;
 }
 
-/// The least shrunk frame that is outside the garment, and through which no triangle of it passes; the thinnest one if
-/// there is none. Limbs bend as they shrink, so a tight garment may fit the full body and not the thinnest one.
+/// The least shrunk frame through which no triangle of the garment passes, and which the garment is not inside; the
+/// thinnest one if there is none. Limbs bend as they shrink, so a tight garment may fit the full body and not the
+/// thinnest one.
 std::size_t freeFrame(const Wearing& wearing, const ShrinkingBody& body, const std::vector<Vec3>& positions) {
   std::size_t frame = 0;
   while (frame < body.thinnest() && (wearing.pairs(positions, frame) > 0 || isInside(body, frame, positions))) {
@@ -77,11 +78,10 @@ class Dresser {
     result.shrunk = body_.wayTo(frame);
     result.positions = positions;
     result.after = result.before;
-    const bool isOutside = wearing_.pairs(positions, frame) > 0 || !isInside(body_, frame, positions);
-    result.fits = isOutside && wearing_.pairs(positions, frame) == 0;
+    const bool isFree = wearing_.pairs(positions, frame) == 0;
+    result.fits = isFree && !isInside(body_, frame, positions);
     if (!result.fits) {
-      result.faults =
-          isOutside ? wearing_.faults(positions, frame, limbs_) : std::vector<Fault>{{.kind = FaultKind::InsideBody}};
+      result.faults = isFree ? std::vector<Fault>{{.kind = FaultKind::InsideBody}} : result.placedFaults;
       return;
     }
     Fitting fitting(model_, std::move(positions), body_, frame, options_.step);

@@ -26,7 +26,7 @@ struct Placement {
 /// Finds a place for the garment.
 ///
 /// `Landmarks` and `Boxes` give a first guess. Around it the place is searched in steps of 2 cm, then 1 cm, where the
-/// fewest triangles of the garment meet the centre lines of the body, and where the arms pass through the openings of
+/// fewest triangles of the garment meet the body or its centre lines, and where the arms pass through the openings of
 /// the sleeves.
 /// @param garment upright [m]
 [[nodiscard]] Placement place(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts,

@@ -28,7 +28,7 @@ struct UpGuess {
 [[nodiscard]] bool isFlat(const Vec3& extent);
 
 /// Guesses the up axis of a garment or a body. The neck, waist and hem of a garment face up or down; openings for arms
-/// and legs, which are mirror images, do not count. So does the neckline of a garment that is open at the front. A
+/// and legs, which are mirror images, do not count. The neckline of a garment that is open at the front counts. A
 /// garment is symmetric left and right, often nearly so front and back, but not top and bottom. It is wide and tall
 /// rather than deep. A shape without evidence, such as a flat sheet, gets y.
 [[nodiscard]] UpGuess guessUp(const sim::ClothMesh& mesh, const ClothPieces& pieces);
