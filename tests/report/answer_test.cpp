@@ -98,6 +98,7 @@ TEST(Answer, comesFirstAndHasAFieldForEachKindAndBudget) {
   const TextTable& table = std::get<TextTable>(blocks.at(0));
   ASSERT_EQ(table.rows.size(), 5U);
   EXPECT_EQ(table.rows[0].size(), 6U);
+  EXPECT_EQ(table.rows[0][1], "none\nthe cheapest, auto substeps=1, takes 0.4 ms, off by 1 mm");
   EXPECT_EQ(table.rows[0][2], "auto substeps=1\n0.4 ms, off by 1 mm");
   EXPECT_EQ(table.rows[4][1], "not measured");
 }

@@ -15,6 +15,7 @@ struct MethodCurve {
   std::string varied;              ///< key of a setting
   std::vector<std::string> values;
   std::vector<std::string> quick;  ///< the values of a quick report
+  bool fabricOnly = false;         ///< its settings have no effect on springs
 };
 
 /// The curves of all solvers. A solver that is not listed explicitly has its substeps varied.

@@ -67,4 +67,9 @@ bool takes(const sim::SolverInfo& solver, const ComparedCloth& cloth) {
   return (!fabric || solver.takesFabric) && (!cloth.fastMethods || fast);
 }
 
+bool isMeasuredOn(const ComparedCloth& cloth, const MethodCurve& curve) {
+  const sim::SolverInfo* solver = sim::findSolver(curve.method);
+  return solver != nullptr && takes(*solver, cloth) && (!curve.fabricOnly || cloth.material.isFabric());
+}
+
 }  // namespace drape::report::sections

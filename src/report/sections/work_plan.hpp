@@ -25,4 +25,7 @@ struct ComparedCloth {
 /// Whether the solver is among those that are compared on the cloth.
 [[nodiscard]] bool takes(const sim::SolverInfo& solver, const ComparedCloth& cloth);
 
+/// Whether the curve is measured on the cloth: its solver is, and its settings have an effect.
+[[nodiscard]] bool isMeasuredOn(const ComparedCloth& cloth, const MethodCurve& curve);
+
 }  // namespace drape::report::sections
