@@ -38,16 +38,16 @@ bool isSofter(const MeasureSample& sample) {
 
 void choicePlots(const PanelContext& context) {
   const auto& colours = palette().plot;
-  const auto& samples = context.memory.measures.samples();
+  const auto samples = context.memory.measures.samples();
   const std::array counts{PlotCurve{"Substeps", colours[0], chosen<substeps>},
                           PlotCurve{"Force evaluations", colours[1], chosen<forceEvaluations>}};
-  timePlot(context, "Chosen", context.texts("per step"), samples, counts);
+  timePlot(context, "Chosen", context.texts("per step"), counts);
   if (std::any_of(samples.begin(), samples.end(), isSofter)) {
     const std::array kept{PlotCurve{"Stiffness scale", colours[2], chosen<stiffnessScale>}};
-    timePlot(context, "Stiffness scale", "%", samples, kept);
+    timePlot(context, "Stiffness scale", "%", kept);
   }
   const std::array energy{PlotCurve{"Energy drift", colours[4], chosen<energyDrift>}};
-  timePlot(context, "Energy drift", "mJ", samples, energy);
+  timePlot(context, "Energy drift", "mJ", energy);
 }
 
 }  // namespace drape::ui

@@ -22,7 +22,7 @@ void energyPlot(const PanelContext& context) {
       PlotCurve{"Elastic", colours[1], [](const MeasureSample& s) { return std::optional(s.energy.elastic); }},
       PlotCurve{"Potential", colours[2], [](const MeasureSample& s) { return std::optional(s.energy.potential); }},
       PlotCurve{"Total", colours[3], [](const MeasureSample& s) { return std::optional(s.energy.total()); }}};
-  timePlot(context, "Energy", "J", context.memory.measures.samples(), curves);
+  timePlot(context, "Energy", "J", curves);
 }
 
 void balancePlot(const PanelContext& context) {
@@ -32,7 +32,7 @@ void balancePlot(const PanelContext& context) {
                           PlotCurve{"Mouse", colours[1], balanceOf<&sim::EnergyBalance::attachment>},
                           PlotCurve{"Contact", colours[3], balanceOf<&sim::EnergyBalance::contact>},
                           PlotCurve{"Method", colours[4], balanceOf<&sim::EnergyBalance::integrator>}};
-  timePlot(context, "Energy added or removed so far", "J", context.memory.measures.samples(), curves);
+  timePlot(context, "Energy added or removed so far", "J", curves);
 }
 
 /// A gap where there is no check or its error cannot be known.
@@ -43,11 +43,11 @@ std::optional<double> checkedError(const MeasureSample& sample) {
 }
 
 void errorRows(PanelContext& context) {
-  const auto& samples = context.memory.measures.samples();
+  const auto samples = context.memory.measures.samples();
   accuracyText(context);
   if (std::ranges::any_of(samples, [](const MeasureSample& sample) { return checkedError(sample).has_value(); })) {
     const std::array errors{PlotCurve{"Last check", palette().plot[3], checkedError}};
-    timePlot(context, "Position error in 0.2 s", "mm", samples, errors);
+    timePlot(context, "Position error in 0.2 s", "mm", errors);
   }
 }
 
@@ -55,7 +55,7 @@ void ghostPlot(const PanelContext& context) {
   const std::array curves{PlotCurve{"Now", palette().ghost, [](const MeasureSample& s) {
                                       return s.ghostDistance ? std::optional(*s.ghostDistance * 1e3) : std::nullopt;
                                     }}};
-  timePlot(context, "Mean distance of the ghost", "mm", context.memory.measures.samples(), curves);
+  timePlot(context, "Mean distance of the ghost", "mm", curves);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "fields/probes.hpp"
 #include "session/snapshot.hpp"
+#include "ui/time_samples.hpp"
 
 #include <memory>
 #include <span>
@@ -38,7 +39,7 @@ class PickedVertices {
 
   [[nodiscard]] std::span<const int> vertices() const { return vertices_; }
   /// Those of the last seconds, in order of time. After a return to a time long ago, those around it.
-  [[nodiscard]] std::span<const Sample> samples() const;
+  [[nodiscard]] std::span<const Sample> samples() const { return samples_.around(window); }
   /// The values at the present time. There must be samples.
   [[nodiscard]] const Sample& now() const { return now_; }
   /// samples() as a table (fields::probeTitles).
@@ -46,9 +47,7 @@ class PickedVertices {
 
  private:
   std::vector<int> vertices_;
-  void add(const Sample& sample);
-
-  std::vector<Sample> samples_;
+  TimeSamples<Sample> samples_{kept, spacing};
   Sample now_;
   std::shared_ptr<const scene::Scene> scene_;
   std::int64_t version_ = -1;

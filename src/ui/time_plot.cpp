@@ -177,17 +177,18 @@ PlotScale closePlotScale(double low, double high, int maxSteps) {
 }
 
 void timePlot(const PanelContext& context, const Wording& title, std::string_view unit,
-              std::span<const MeasureSample> samples, std::span<const PlotCurve> curves) {
+              std::span<const PlotCurve> curves) {
+  const MeasureHistory& measures = context.memory.measures;
   std::vector<PlotSeries> series;
   for (const PlotCurve& curve : curves) {
     PlotSeries& each = series.emplace_back();
     each.name = curve.name;
     each.colour = curve.colour;
-    for (const MeasureSample& sample : samples) {
+    for (const MeasureSample& sample : measures.samples()) {
       each.points.push_back({sample.time, curve.value(sample)});
     }
   }
-  seriesPlot(context, title, unit, series);
+  seriesPlot(context, title, unit, series, false, measures.present());
 }
 
 void seriesPlot(const PanelContext& context, const Wording& title, std::string_view unit,

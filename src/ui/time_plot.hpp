@@ -52,8 +52,8 @@ struct PlotScale {
 void seriesPlot(const PanelContext& context, const Wording& title, std::string_view unit,
                 std::span<const PlotSeries> series, bool close = false, std::optional<double> present = std::nullopt);
 
-/// The same for curves of the measures.
+/// The same for curves of the measures in the context.
 void timePlot(const PanelContext& context, const Wording& title, std::string_view unit,
-              std::span<const MeasureSample> samples, std::span<const PlotCurve> curves);
+              std::span<const PlotCurve> curves);
 
 }  // namespace drape::ui

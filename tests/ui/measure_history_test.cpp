@@ -74,6 +74,26 @@ TEST(MeasureHistory, StartsAgainWithAResetAndWithAnotherScene) {
   EXPECT_EQ(history.samples().size(), 1U);
 }
 
+TEST(MeasureHistory, StaysWhenTheTimelineGoesBackUntilAnotherMotionReplacesIt) {
+  const auto scene = std::make_shared<const scene::Scene>();
+  MeasureHistory history;
+  for (int i = 0; i <= 300; ++i) {
+    history.add(at(0.1 * i, i, scene));
+  }
+  session::Snapshot earlier = at(8.0, 80.0, scene);
+  earlier.timeline = session::TimelineStatus{.end = 30.0};
+  history.add(earlier);
+  EXPECT_EQ(history.present(), 8.0);
+  EXPECT_LT(history.samples().front().time, 4.0);
+  EXPECT_NEAR(history.samples().back().time, 13.0, 0.05) << "the plot shows the time around the present";
+  EXPECT_EQ(history.samples().back().energy.kinetic, 130.0);
+  session::Snapshot another = at(8.1, 7.0, scene);
+  another.timeline = session::TimelineStatus{.end = 8.1};
+  history.add(another);
+  EXPECT_EQ(history.samples().back().energy.kinetic, 7.0);
+  EXPECT_EQ(history.present(), 8.1);
+}
+
 TEST(MeasureHistory, HasTheGhostsDistanceOnlyWithAGhost) {
   const auto scene = std::make_shared<const scene::Scene>();
   MeasureHistory history;

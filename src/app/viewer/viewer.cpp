@@ -322,12 +322,17 @@ void Viewer::takeLoadedScene(const session::Snapshot& snapshot) {
   }
 }
 
+void Viewer::showTitle() {
+  const std::string scene = panels_.language().texts(ui::inWords(shownScene_->description));
+  glfwSetWindowTitle(window_.window(), (scene + " \u2013 Drape").c_str());
+}
+
 void Viewer::followScene(const session::Snapshot& snapshot) {
   if (snapshot.scene == shownScene_) {
     return;
   }
   shownScene_ = snapshot.scene;
-  glfwSetWindowTitle(window_.window(), (shownScene_->description.name + " \u2013 Drape").c_str());
+  showTitle();
   if (shownScene_ == newScene_) {
     openedScene_ = shownScene_;
     controller_.lookAtScene(*shownScene_);

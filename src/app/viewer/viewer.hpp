@@ -67,6 +67,8 @@ class Viewer {
   void pace(Clock::time_point start);
   void takeLoadedScene(const session::Snapshot& snapshot);
   void followScene(const session::Snapshot& snapshot);
+  /// The scene and the program in the title of the window.
+  void showTitle();
   void handleInput(const session::Snapshot& snapshot, ui::UiOutput& output);
   [[nodiscard]] bool belongsToPanels(const ui::InputEvent& event);
   void execute(ui::UiOutput& output, const session::Snapshot& snapshot);

@@ -122,6 +122,7 @@ void Viewer::on(const ui::ThemeRequest& request, const session::Snapshot& /*snap
 void Viewer::on(const ui::LanguageRequest& request, const session::Snapshot& /*snapshot*/) {
   if (const locale::Language* chosen = locale::findLanguage(request.name)) {
     panels_.useLanguage(*chosen);
+    showTitle();
     preferences_.language = chosen->name;
   }
 }
