@@ -82,7 +82,8 @@ void addValidateCommand(CLI::App& app) {
       ->type_name("NAME")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_flag("--short", arguments->shortForm, "Without the finest resolution");
+  command->add_flag("--short", arguments->shortForm,
+                    "Without the finest resolution, and slow cases with the coarsest one only");
   command
       ->add_option("--aim", arguments->aim,
                    "Largest acceptable error at the finest resolution [%]; default: each case's own")

@@ -34,7 +34,7 @@ std::string_view nameOf(CaseGroup group) {
 
 std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool shortForm) {
   const std::span<const int> all = validationCase.resolutions;
-  return shortForm ? all.first(all.size() - 1) : all;
+  return shortForm ? all.first(validationCase.shortForm) : all;
 }
 
 std::vector<MeshKind> kindsOf(const ValidationCase& validationCase, bool shortForm) {

@@ -57,6 +57,7 @@ struct ValidationCase {
   std::span<const MeshKind> kinds = meshKinds;
   std::span<const MeshKind> slowKinds = {};  ///< further ones, on which the search takes minutes
   bool everyResolution = false;              ///< the aim holds for every resolution, not only for the finest
+  std::size_t shortForm = 2;                 ///< the short form has so many of the resolutions, the coarsest ones
   std::string_view subject = {};             ///< CaseMesh::subject
   std::string_view reason = {};              ///< the known reason why its error exceeds the aim; empty if it does not
 };
@@ -67,7 +68,7 @@ struct ValidationCase {
 /// The case of that name. Throws UsageError when there is none.
 [[nodiscard]] const ValidationCase& requireValidationCase(std::string_view name);
 
-/// The resolutions of a case, without the finest in the short form.
+/// The resolutions of a case; only the coarsest ones in the short form.
 [[nodiscard]] std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool shortForm);
 
 /// The kinds of mesh of a case, without the slow ones in the short form.
