@@ -109,7 +109,7 @@ ImportReply replyAbout(const fs::path& file, std::vector<std::string> task, cons
       bytes = gltfWithEverything(plainText(bytes, storage), folder);
     }
     if (format == "glb") {
-      checkGlbSkins(bytes);
+      bytes = glbWithEverything(std::move(bytes));
     }
     task.insert(task.begin(), format);
     ImportReply reply = replyOf(std::move(task), bytes, defaultTimeLimit(bytes.size()),

@@ -1,6 +1,7 @@
 #include "io/gltf_check.hpp"
 
 #include "io/gltf_content.hpp"
+#include "io/gltf_keys.hpp"
 #include "io/gltf_skins.hpp"
 #include "io/quoted_text.hpp"
 #include "io/text_input.hpp"
@@ -374,12 +375,19 @@ GltfMesh glbWithMesh(std::string_view bytes) {
   return {joinGlb(std::move(parts), buffers), hasSkin(glb.json)};
 }
 
-void checkGlbSkins(std::string_view bytes) {
-  if (!isGlbOfVersion1(bytes)) {
-    const GlbParts glb = partsOfGlb(bytes);
-    checkContent(glb.json);
-    checkSkins(glb.json, buffersOf(glb.json, {}, glb.binary));
+std::string glbWithEverything(std::string bytes) {
+  if (isGlbOfVersion1(bytes)) {
+    return bytes;
   }
+  GlbParts glb = partsOfGlb(bytes);
+  checkContent(glb.json);
+  std::vector<std::string> buffers = buffersOf(glb.json, {}, glb.binary);
+  checkSkins(glb.json, buffers);
+  if (!straightenKeys(glb.json, buffers)) {
+    return bytes;
+  }
+  glb.json["buffers"] = Json::array();
+  return joinGlb(std::move(glb.json), buffers);
 }
 
 GltfMesh gltfWithBuffers(std::string_view text, const fs::path& folder) {
@@ -394,8 +402,9 @@ GltfMesh gltfWithBuffers(std::string_view text, const fs::path& folder) {
 std::string gltfWithEverything(std::string_view text, const fs::path& folder) {
   Json json = parseJson(text);
   checkContent(json);
-  const std::vector<std::string> buffers = buffersOf(json, folder, std::nullopt);
+  std::vector<std::string> buffers = buffersOf(json, folder, std::nullopt);
   checkSkins(json, buffers);
+  (void)straightenKeys(json, buffers);
   json["buffers"] = bufferTexts(buffers);
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }

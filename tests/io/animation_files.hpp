@@ -15,6 +15,7 @@ struct BarFile {
   std::string joints = "[1, 2]";                 ///< of the skin
   std::array<float, 3> times{0.0F, 1.0F, 2.0F};  ///< of the keys of "bend" [s]
   std::string name = "bend";                     ///< of the clip that bends
+  std::string interpolation = "LINEAR";          ///< of the keys of "bend"; tangents of CUBICSPLINE are 0
 
   std::string upperPose;         ///< more keys of the node "upper", after a comma: its turn without a clip
   std::string meshName = "bar";  ///< of the node of the mesh
@@ -90,7 +91,13 @@ inline std::string BarFile::text() const {
   const std::vector<float> inverseBinds{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,  //
                                         1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1};
   constexpr float half = 0.70710678F;
-  const std::vector<float> turns{0, 0, 0, 1, 0, 0, 0.38268343F, 0.92387953F, 0, 0, half, half};
+  std::vector<float> turns{0, 0, 0, 1, 0, 0, 0.38268343F, 0.92387953F, 0, 0, half, half};
+  if (interpolation == "CUBICSPLINE") {
+    for (int key = 2; key >= 0; --key) {
+      turns.insert(turns.begin() + 4L * (key + 1), 4, 0.0F);
+      turns.insert(turns.begin() + 4L * key, 4, 0.0F);
+    }
+  }
   const std::vector<float> still{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
   constexpr int number = 5126;
   add(positions.data(), positions.size() * 4, vertices, number, "VEC3",
@@ -100,11 +107,11 @@ inline std::string BarFile::text() const {
   add(weights.data(), weights.size() * 4, vertices, number, "VEC4");
   add(inverseBinds.data(), inverseBinds.size() * 4, 2, number, "MAT4");
   add(times.data(), times.size() * 4, 3, number, "SCALAR", R"(,"min":[0],"max":[2])");
-  add(turns.data(), turns.size() * 4, 3, number, "VEC4");
+  add(turns.data(), turns.size() * 4, static_cast<int>(turns.size() / 4), number, "VEC4");
   add(still.data(), still.size() * 4, 3, number, "VEC4");
-  const auto clip = [](const std::string& title, int output) {
+  const auto clip = [](const std::string& title, int output, const std::string& kind) {
     return R"({"name":")" + title + R"(","samplers":[{"input":5,"output":)" + std::to_string(output) +
-           R"(}],"channels":[{"sampler":0,"target":{"node":2,"path":"rotation"}}]})";
+           R"(,"interpolation":")" + kind + R"("}],"channels":[{"sampler":0,"target":{"node":2,"path":"rotation"}}]})";
   };
   return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[)"
          R"({"name":")" +
@@ -113,9 +120,22 @@ inline std::string BarFile::text() const {
          R"(}],)"
          R"("meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1}]}],)"
          R"("skins":[{"joints":)" +
-         joints + R"(,"inverseBindMatrices":4}],"animations":[)" + clip(name, 6) + "," + clip("still", 7) +
-         R"(],"accessors":[)" + accessors + R"(],"bufferViews":[)" + views + R"(],"buffers":[{"byteLength":)" +
-         std::to_string(data.size()) + R"(,"uri":"data:application/octet-stream;base64,)" + base64Text(data) + "\"}]}";
+         joints + R"(,"inverseBindMatrices":4}],"animations":[)" + clip(name, 6, interpolation) + "," +
+         clip("still", 7, "LINEAR") + R"(],"accessors":[)" + accessors + R"(],"bufferViews":[)" + views +
+         R"(],"buffers":[{"byteLength":)" + std::to_string(data.size()) +
+         R"(,"uri":"data:application/octet-stream;base64,)" + base64Text(data) + "\"}]}";
+}
+
+/// A glTF document as binary glTF with its JSON alone. The buffers stay in the JSON.
+inline std::string binaryGltf(const std::string& document) {
+  const auto word = [](std::size_t value) {
+    const auto number = static_cast<std::uint32_t>(value);
+    std::string bytes(sizeof(number), '\0');
+    std::memcpy(bytes.data(), &number, sizeof(number));
+    return bytes;
+  };
+  const std::string json = document + std::string((4 - document.size() % 4) % 4, ' ');
+  return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
 }
 
 /// The same bar as COLLADA, with lengths in units of `metres` and `up` ("Y_UP" or "Z_UP"): y of the file points up or

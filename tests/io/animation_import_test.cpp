@@ -116,6 +116,39 @@ TEST(AnimationImport, waitsForAClipThatDoesNotLoopAtItsStart) {
   }
 }
 
+TEST(AnimationImport, holdsTheKeysOfStepsUntilTheNextOne) {
+  BarFile bar;
+  bar.interpolation = "STEP";
+  const AnimatedMesh mesh = readBar(bar, clipAt("bend", 4.0));
+  ASSERT_EQ(mesh.frames.size(), 9U);
+  const std::size_t tip = vertexAt(mesh, {0.0, 2.0, 0.0});
+  for (std::size_t k = 0; k < mesh.frames.size(); ++k) {
+    const double angle = std::numbers::pi / 4.0 * static_cast<double>(k / 4);
+    EXPECT_LT((mesh.frames[k][tip] - tipAt(angle)).norm(), 1e-5) << k;
+  }
+}
+
+TEST(AnimationImport, followsCubicCurvesBetweenTheKeysInBothFormsOfGltf) {
+  BarFile bar;
+  bar.interpolation = "CUBICSPLINE";
+  const Files files;
+  const std::string text = bar.text();
+  for (const auto& file : {files.write("bar.gltf", text), files.write("bar.glb", binaryGltf(text))}) {
+    const AnimatedMesh mesh = importAnimation(file, clipAt("bend", 4.0));
+    ASSERT_EQ(mesh.frames.size(), 9U);
+    const std::size_t tip = vertexAt(mesh, {0.0, 2.0, 0.0});
+    for (std::size_t k = 0; k < 4; ++k) {
+      // Between 0 and 45 degrees, without tangents, and normalised.
+      const double s = static_cast<double>(k) / 4.0;
+      const double late = s * s * (3.0 - 2.0 * s);
+      const double sine = late * std::sin(std::numbers::pi / 8.0);
+      const double cosine = 1.0 - late + late * std::cos(std::numbers::pi / 8.0);
+      EXPECT_LT((mesh.frames[k][tip] - tipAt(2.0 * std::atan2(sine, cosine))).norm(), 1e-4) << file << " " << k;
+    }
+    EXPECT_LT((mesh.frames[8][tip] - tipAt(std::numbers::pi / 2.0)).norm(), 1e-5) << file;
+  }
+}
+
 TEST(AnimationImport, takesTheBindPoseFromTheBonesWhereTheNodeOfTheMeshIsElsewhere) {
   AnimationOptions options = clipAt("still", 10.0);
   options.blend = 0.5;
