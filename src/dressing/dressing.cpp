@@ -6,6 +6,7 @@
 #include "intersection/intersections.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/model/bounds.hpp"
+#include "sim/model/enclosed_volume.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -14,14 +15,6 @@ namespace drape::dressing {
 namespace {
 
 using sim::contact::Pose;
-
-double volumeOf(const sim::ClothMesh& mesh) {
-  double volume = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    volume += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6.0;
-  }
-  return volume;
-}
 
 double largestSide(const std::vector<Vec3>& positions) {
   return sim::boundsOf(positions).sizes().maxCoeff();
@@ -130,7 +123,8 @@ Misfit misfitOf(const sim::ClothMesh& garment, const sim::ClothMesh& body) {
   if (closed.addedArea > largestHoles) {
     return Misfit::OpenBody;
   }
-  if (!(volumeOf(closed.mesh) > smallestVolume * bodySide * bodySide * bodySide)) {
+  if (!(sim::enclosedVolume(closed.mesh.positions, closed.mesh.triangles) >
+        smallestVolume * bodySide * bodySide * bodySide)) {
     return Misfit::NoVolume;
   }
   if (garmentSide > largestRatio * bodySide) {

@@ -5,6 +5,7 @@
 #include "scene/unit_guess.hpp"
 #include "scene/up_guess.hpp"
 #include "sim/model/bounds.hpp"
+#include "sim/model/enclosed_volume.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -113,11 +114,7 @@ std::string upOfShape(const sim::ClothMesh& mesh) {
 
 double fullnessOf(const sim::ClothMesh& mesh) {
   const Eigen::AlignedBox3d box = sim::boundsOf(mesh.positions);
-  double volume = 0.0;
-  for (const Triangle& triangle : mesh.triangles) {
-    const auto corner = [&](std::size_t k) -> Vec3 { return mesh.positions[triangle[k]] - box.center(); };
-    volume += corner(0).dot(corner(1).cross(corner(2))) / 6.0;
-  }
+  const double volume = sim::enclosedVolume(mesh.positions, mesh.triangles, box.center());
   const double largest = mesh.positions.empty() ? 0.0 : box.sizes().maxCoeff();
   return largest > 0.0 ? std::abs(volume) / (largest * largest * largest) : 0.0;
 }

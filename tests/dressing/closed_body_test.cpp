@@ -1,6 +1,7 @@
 #include "dressing/closed_body.hpp"
 
 #include "shapes.hpp"
+#include "sim/model/enclosed_volume.hpp"
 #include "sim/model/mesh_topology.hpp"
 
 #include <gtest/gtest.h>
@@ -24,11 +25,7 @@ bool hasInside(const sim::ClothMesh& mesh) {
 }
 
 double volumeOf(const sim::ClothMesh& mesh) {
-  double volume = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    volume += mesh.positions[t[0]].dot(mesh.positions[t[1]].cross(mesh.positions[t[2]])) / 6.0;
-  }
-  return volume;
+  return sim::enclosedVolume(mesh.positions, mesh.triangles);
 }
 
 sim::ClothMesh without(sim::ClothMesh mesh, double above, double below) {

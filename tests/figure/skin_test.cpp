@@ -1,5 +1,6 @@
 #include "figure/figure_pose.hpp"
 #include "figure_mesh.hpp"
+#include "sim/model/enclosed_volume.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -17,11 +18,7 @@ std::vector<Vec3> movedBy(const FigurePose& pose) {
 }
 
 double volumeOf(const std::vector<Vec3>& positions) {
-  double six = 0.0;
-  for (const auto& [a, b, c] : builtFigure().triangles) {
-    six += positions[a].dot(positions[b].cross(positions[c]));
-  }
-  return six / 6.0;
+  return sim::enclosedVolume(positions, builtFigure().triangles);
 }
 
 TEST(Skin, hasWeightsThatAddUpToOne) {

@@ -2,6 +2,7 @@
 
 #include "intersection/intersections.hpp"
 #include "io/mesh_import.hpp"
+#include "sim/model/enclosed_volume.hpp"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -101,22 +102,11 @@ TEST(Garments, standOnClosedStandsThatReachTheGround) {
     EXPECT_EQ(mesh.summary.nonManifoldEdges, 0);
     EXPECT_EQ(mesh.summary.misorientedEdges, 0);
     double lowest = HUGE_VAL;
-    double volume = 0.0;
     for (const Vec3& position : mesh.cloth.positions) {
       lowest = std::min(lowest, position.y());
     }
-    for (const Triangle& t : mesh.cloth.triangles) {
-      Mat3 corners;
-      for (int corner = 0; corner < 3; ++corner) {
-        corners.col(corner) = mesh.cloth.positions[t[corner]];
-      }
-      volume += corners.col(0).dot(Vec3(corners(1, 1) * corners(2, 2) - corners(2, 1) * corners(1, 2),
-                                        corners(2, 1) * corners(0, 2) - corners(0, 1) * corners(2, 2),
-                                        corners(0, 1) * corners(1, 2) - corners(1, 1) * corners(0, 2))) /
-                6.0;
-    }
     EXPECT_DOUBLE_EQ(lowest, 0.0);
-    EXPECT_GT(volume, 1e-3) << "faces look outwards";
+    EXPECT_GT(sim::enclosedVolume(mesh.cloth.positions, mesh.cloth.triangles), 1e-3) << "faces look outwards";
   }
 }
 

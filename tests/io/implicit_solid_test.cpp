@@ -1,5 +1,7 @@
 #include "io/garments/implicit_solid.hpp"
 
+#include "sim/model/enclosed_volume.hpp"
+
 #include <gtest/gtest.h>
 #include <cmath>
 #include <numbers>
@@ -8,12 +10,7 @@ namespace drape::io {
 namespace {
 
 double volumeOf(const RawMesh& mesh) {
-  double volume = 0.0;
-  for (const Triangle& t : mesh.triangles) {
-    const auto at = [&](int corner) { return mesh.positions[corner]; };
-    volume += at(t[0]).dot(at(t[1]).cross(at(t[2]))) / 6.0;
-  }
-  return volume;
+  return sim::enclosedVolume(mesh.positions, mesh.triangles);
 }
 
 TEST(ImplicitSolid, distancesToABarAreThoseOfACapsuleWhenItIsRoundAndEven) {

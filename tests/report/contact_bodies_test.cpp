@@ -1,5 +1,7 @@
 #include "report/hardcases/contact_bodies.hpp"
 
+#include "sim/model/enclosed_volume.hpp"
+
 #include <gtest/gtest.h>
 #include <cmath>
 #include <map>
@@ -9,17 +11,8 @@
 namespace drape::report::hardcases {
 namespace {
 
-/// The volume inside a surface that faces outwards [m^3].
-double volumeOf(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
-  double volume = 0.0;
-  for (const Triangle& t : triangles) {
-    volume += positions[t[0]].dot(positions[t[1]].cross(positions[t[2]])) / 6.0;
-  }
-  return volume;
-}
-
 double volumeOf(const sim::contact::MeshShape& shape) {
-  return volumeOf(shape.positions, shape.triangles);
+  return sim::enclosedVolume(shape.positions, shape.triangles);
 }
 
 /// The number of sides of triangles without another side in the opposite direction.

@@ -1,6 +1,7 @@
 #include "sim/contact/broad_phase/searchable_mesh.hpp"
 
 #include "sim/contact/closest_features/triangle_geometry.hpp"
+#include "sim/model/enclosed_volume.hpp"
 #include "sim/model/mesh_topology.hpp"
 
 #include <algorithm>
@@ -50,12 +51,8 @@ bool isClosed(const MeshShape& mesh) {
 
 /// Flips the triangles of a closed mesh if they face inwards.
 MeshShape facingOutwards(MeshShape mesh) {
-  double volume = 0.0;  // times 6
-  for (const Triangle& t : mesh.triangles) {
-    const Corners at = cornersOf(mesh.positions, t);
-    const Vec3& origin = mesh.positions.front();
-    volume += (at[0] - origin).dot((at[1] - origin).cross(at[2] - origin));
-  }
+  const double volume =
+      mesh.positions.empty() ? 0.0 : enclosedVolume(mesh.positions, mesh.triangles, mesh.positions.front());
   if (volume < 0.0 && isClosed(mesh)) {
     for (Triangle& t : mesh.triangles) {
       std::swap(t[1], t[2]);
