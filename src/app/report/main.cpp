@@ -66,7 +66,7 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
       sections += section.name;
     }
   }
-  app.add_flag("--quick", arguments.options.quick, "Fewer and smaller measurements: about a minute");
+  app.add_flag("--quick", arguments.options.quick, "Fewer and smaller measurements: a few minutes");
   app.add_option("--only", arguments.options.only, "Measure only this section (" + sections + "); may be repeated")
       ->type_name("SECTION")
       ->expected(1)
