@@ -37,6 +37,27 @@ Pose turnToFront(const sim::ClothMesh& garment, const BodyParts& parts) {
   return turnedAbout(box.center(), angle);
 }
 
+/// Where the trunk of the body belongs from left to right: at `middle`, or at the lowest hem of a garment whose middle
+/// is beside it, as with one sleeve or one strap.
+double middleOf(double middle, const GarmentOpenings& openings) {
+  constexpr double beside = 0.03;  // [m]
+  const Opening* lowest = nullptr;
+  for (const Opening& opening : openings.all()) {
+    if (opening.kind == OpeningKind::Hem && (lowest == nullptr || opening.centre.y() < lowest->centre.y())) {
+      lowest = &opening;
+    }
+  }
+  return lowest != nullptr && std::abs(lowest->centre.x() - middle) > beside ? lowest->centre.x() : middle;
+}
+
+/// Whether an opening is in the upper half, where a skirt has none: a sleeve, say, whose other one is open to the neck.
+bool hasHighHem(const std::vector<Vec3>& garment, const GarmentOpenings& openings) {
+  const double middle = sim::boundsOf(garment).center().y();
+  return std::ranges::any_of(openings.all(), [&](const Opening& opening) {
+    return opening.kind == OpeningKind::Hem && opening.centre.y() > middle;
+  });
+}
+
 /// The shift of a garment whose landmarks are known; none if there are none.
 std::optional<Vec3> shiftByLandmarks(const std::vector<Vec3>& garment, const GarmentOpenings& openings,
                                      const BodyParts& parts) {
@@ -53,7 +74,8 @@ std::optional<Vec3> shiftByLandmarks(const std::vector<Vec3>& garment, const Gar
                 bodyNeck.z() - middle);
   }
   if (const Opening* neck = openings.find(OpeningKind::Neck)) {
-    return bodyNeck - neck->centre;
+    return Vec3(bodyNeck.x() - middleOf(neck->centre.x(), openings), bodyNeck.y() - neck->centre.y(),
+                bodyNeck.z() - neck->centre.z());
   }
   const Opening* left = openings.find(OpeningKind::LeftSleeve);
   const Opening* right = openings.find(OpeningKind::RightSleeve);
@@ -61,10 +83,13 @@ std::optional<Vec3> shiftByLandmarks(const std::vector<Vec3>& garment, const Gar
     return bodyNeck - 0.5 * (left->centre + right->centre);
   }
   const Opening* waist = openings.find(OpeningKind::Waist);
-  return waist != nullptr ? std::optional<Vec3>(parts.landmarks()->waist - waist->centre) : std::nullopt;
+  return waist != nullptr && !hasHighHem(garment, openings)
+             ? std::optional<Vec3>(parts.landmarks()->waist - waist->centre)
+             : std::nullopt;
 }
 
-Vec3 shiftByBoxes(const std::vector<Vec3>& garment, const ShrinkingBody& body, const BodyParts& parts) {
+Vec3 shiftByBoxes(const std::vector<Vec3>& garment, const GarmentOpenings& openings, const ShrinkingBody& body,
+                  const BodyParts& parts) {
   constexpr double above = 0.02;  // [m]
   const Eigen::AlignedBox3d box = sim::boundsOf(garment);
   const Eigen::AlignedBox3d bodyBox = sim::boundsOf(body.frames().front());
@@ -73,7 +98,7 @@ Vec3 shiftByBoxes(const std::vector<Vec3>& garment, const ShrinkingBody& body, c
   if (parts.landmarks()) {
     target = parts.landmarks()->neck;
   }
-  return target - Vec3(box.center().x(), box.max().y() - above, box.center().z());
+  return target - Vec3(middleOf(box.center().x(), openings), box.max().y() - above, box.center().z());
 }
 
 /// How bad a place is; lower is better. The fewer triangles of the full body pass through the garment the better, if
@@ -143,6 +168,16 @@ std::vector<Vec3> shiftsAround(double step, int upwards, int forwards) {
   return shifts;
 }
 
+/// Shifts to try, nearest first: to the left and to the right.
+std::vector<Vec3> lateralShifts(double step, int sidewards) {
+  std::vector<Vec3> shifts;
+  for (int x = 1; x <= sidewards; ++x) {
+    shifts.emplace_back(-step * x, 0.0, 0.0);
+    shifts.emplace_back(step * x, 0.0, 0.0);
+  }
+  return shifts;
+}
+
 /// The best of the shifts around a place.
 class Search {
  public:
@@ -155,11 +190,20 @@ class Search {
     constexpr double fine = 0.01;    // [m]
     const std::vector<Vec3> wide = shiftsAround(coarse, 4, forwards);
     const std::vector<Vec3> narrow = shiftsAround(fine, 1, 1);
-    total_ = wide.size() + narrow.size();
+    const std::vector<Vec3> lateral = lateralShifts(coarse, 8);
+    total_ = wide.size() + narrow.size() + lateral.size() + narrow.size();
     tryAll(wide);
     tryAll(narrow);
+    if (!isWorn()) {
+      // The middle of a garment with one sleeve is not that of the body.
+      tryAll(lateral);
+      tryAll(narrow);
+    }
     return best_;
   }
+
+  [[nodiscard]] double least() const { return least_; }
+  [[nodiscard]] bool isWorn() { return badness_.isWorn(shiftedBy(best_)); }
 
  private:
   void tryAll(const std::vector<Vec3>& shifts) {
@@ -167,15 +211,19 @@ class Search {
     const Vec3 middle = best_;
     for (const Vec3& each : shifts) {
       const Vec3 shift = middle + each;
-      Pose pose;
-      pose.position = shift;
-      const double badness = perMetre * shift.norm() + badness_.of(moved(positions_, pose), least_);
+      const double badness = perMetre * shift.norm() + badness_.of(shiftedBy(shift), least_);
       if (badness < least_) {
         least_ = badness;
         best_ = shift;
       }
       progress_(static_cast<double>(++tried_) / static_cast<double>(total_));
     }
+  }
+
+  [[nodiscard]] std::vector<Vec3> shiftedBy(const Vec3& shift) const {
+    Pose pose;
+    pose.position = shift;
+    return moved(positions_, pose);
   }
 
   Badness& badness_;
@@ -206,6 +254,51 @@ bool isWornAsInFiles(const sim::ClothMesh& garment, const ShrinkingBody& body, c
          Badness(garment, body, parts, openings).isWorn(garment.positions);
 }
 
+/// The best place that a rule finds.
+struct Candidate {
+  Placement placement;
+  double badness = 0.0;
+  bool isWorn = false;  ///< see Badness::isWorn
+
+  [[nodiscard]] bool isBetterThan(const Candidate& other) const {
+    return isWorn != other.isWorn ? isWorn : badness < other.badness;
+  }
+};
+
+class Placer {
+ public:
+  Placer(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts,
+         const std::function<void(double)>& progress)
+      : garment_(garment), body_(body), parts_(parts), progress_(progress) {}
+
+  /// By the boxes if the rule says so, or if there are no landmarks.
+  [[nodiscard]] Candidate byRule(PlacementRule rule) const {
+    Placement result{PlacementRule::Boxes, turnToFront(garment_, parts_)};
+    sim::ClothMesh turned{moved(garment_.positions, result.pose), garment_.triangles};
+    const GarmentOpenings unplaced(turned);
+    std::optional<Vec3> shift;
+    if (rule != PlacementRule::Boxes) {
+      shift = shiftByLandmarks(turned.positions, unplaced, parts_);
+    }
+    result.rule = shift ? PlacementRule::Landmarks : PlacementRule::Boxes;
+    result.pose.position += shift ? *shift : shiftByBoxes(turned.positions, unplaced, body_, parts_);
+    turned.positions = moved(garment_.positions, result.pose);
+    const GarmentOpenings openings(turned);
+    Badness badness(turned, body_, parts_, openings);
+    // A cape hangs behind the body, farther than any landmark tells.
+    const int forwards = openings.all().empty() ? 10 : 4;
+    Search search(badness, turned.positions, progress_);
+    result.pose.position += search.run(forwards);
+    return {result, search.least(), search.isWorn()};
+  }
+
+ private:
+  const sim::ClothMesh& garment_;
+  const ShrinkingBody& body_;
+  const BodyParts& parts_;
+  const std::function<void(double)>& progress_;
+};
+
 }  // namespace
 
 std::vector<Vec3> moved(std::span<const Vec3> positions, const Pose& pose) {
@@ -222,21 +315,13 @@ Placement place(const sim::ClothMesh& garment, const ShrinkingBody& body, const 
   if (rule == PlacementRule::File || (rule == PlacementRule::Auto && isWornAsInFiles(garment, body, parts))) {
     return {};
   }
-  Placement result{PlacementRule::Boxes, turnToFront(garment, parts)};
-  sim::ClothMesh turned{moved(garment.positions, result.pose), garment.triangles};
-  std::optional<Vec3> shift;
-  if (rule != PlacementRule::Boxes) {
-    shift = shiftByLandmarks(turned.positions, GarmentOpenings(turned), parts);
+  const Placer placer(garment, body, parts, progress);
+  Candidate best = placer.byRule(rule);
+  if (rule == PlacementRule::Auto && !best.isWorn && best.placement.rule == PlacementRule::Landmarks) {
+    const Candidate byBoxes = placer.byRule(PlacementRule::Boxes);
+    best = byBoxes.isBetterThan(best) ? byBoxes : best;
   }
-  result.rule = shift ? PlacementRule::Landmarks : PlacementRule::Boxes;
-  result.pose.position += shift ? *shift : shiftByBoxes(turned.positions, body, parts);
-  turned.positions = moved(garment.positions, result.pose);
-  const GarmentOpenings openings(turned);
-  Badness badness(turned, body, parts, openings);
-  // A cape hangs behind the body, farther than any landmark tells.
-  const int forwards = openings.all().empty() ? 10 : 4;
-  result.pose.position += Search(badness, turned.positions, progress).run(forwards);
-  return result;
+  return best.placement;
 }
 
 }  // namespace drape::dressing

@@ -52,6 +52,44 @@ TEST(Placement, bringsATurnedTshirtFromFarAwayOntoTheBody) {
   }
 }
 
+/// The T-shirt without its right shoulder: what is above a height on that side is cut off.
+sim::ClothMesh topForOneShoulder(double height) {
+  const sim::ClothMesh& whole = tshirt();
+  sim::ClothMesh top;
+  std::vector<int> numbers(whole.positions.size(), -1);
+  for (const Triangle& t : whole.triangles) {
+    const Vec3 centre = (whole.positions[t[0]] + whole.positions[t[1]] + whole.positions[t[2]]) / 3.0;
+    if (centre.x() < 0.02 && centre.y() > height) {
+      continue;
+    }
+    Triangle& kept = top.triangles.emplace_back();
+    for (std::size_t k = 0; k < t.size(); ++k) {
+      int& number = numbers[t[k]];
+      if (number < 0) {
+        number = static_cast<int>(top.positions.size());
+        top.positions.push_back(whole.positions[t[k]]);
+      }
+      kept[k] = number;
+    }
+  }
+  return top;
+}
+
+TEST(Placement, putsATopForOneShoulderThereAndNotAroundTheWaist) {
+  const ShrinkingBody body(mannequin());
+  for (const double height : {1.2, 1.3}) {  // without the right sleeve, or with a half of it
+    const sim::ClothMesh where = topForOneShoulder(height);
+    sim::ClothMesh top = where;
+    top.positions = moved(top.positions, farAway(0.0));
+    const Placement placement = place(top, body, BodyParts(body), PlacementRule::Auto, noProgress);
+    top.positions = moved(top.positions, placement.pose);
+    EXPECT_EQ(faultsOf(top, body), 0U) << height;
+    for (std::size_t v = 0; v < top.positions.size(); ++v) {
+      ASSERT_LT((top.positions[v] - where.positions[v]).norm(), 0.12) << height;
+    }
+  }
+}
+
 TEST(Placement, putsBothLegsIntoTheirTrouserLegs) {
   const ShrinkingBody body(figure());
   for (const double quarters : {0.0, 1.0}) {
