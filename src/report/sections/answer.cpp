@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <string>
 #include <string_view>
@@ -69,20 +70,25 @@ std::string clothText(const Kind& kind, const ReportRow& row) {
              : clothOf(row);
 }
 
+/// Writes a setting with its cost and its error under these keys.
+void writeSetting(const ReportRow* setting, const std::string& key, ReportRow& row) {
+  row[key] = setting == nullptr ? ReportRow(nullptr) : ReportRow(takeText(*setting));
+  row[key + "_ms"] =
+      setting == nullptr ? ReportRow(nullptr) : ReportRow(msPerFrame(numberIn(*setting, "us_per_simulated_second")));
+  row[key + "_error"] = setting == nullptr ? ReportRow(nullptr) : (*setting)["error_mean"];
+}
+
 ReportRow answerOf(const Kind& kind, const ReportRows& rows, double budget) {
-  ReportRow row{{"question", "method"},   {"kind", kind.name},   {"cloth", nullptr},       {"budget_ms", budget},
-                {"method", nullptr},      {"setting", nullptr},  {"cost_ms", nullptr},     {"error", nullptr},
-                {"error_floor", nullptr}, {"cheapest", nullptr}, {"cheapest_ms", nullptr}, {"cheapest_error", nullptr}};
+  ReportRow row{{"question", "method"}, {"kind", kind.name}, {"cloth", nullptr},
+                {"budget_ms", budget},  {"method", nullptr}, {"setting", nullptr},
+                {"cost_ms", nullptr},   {"error", nullptr},  {"error_floor", nullptr}};
+  writeSetting(rows.empty() ? nullptr : cheapestCalm(rows), "cheapest", row);
+  writeSetting(rows.empty() ? nullptr : bestForBudget(rows, std::numeric_limits<double>::infinity()), "finest", row);
   if (rows.empty()) {
     return row;
   }
   row["cloth"] = clothText(kind, rows.front());
   row["error_floor"] = finiteOrNull(errorFloor(rows));
-  if (const ReportRow* cheapest = cheapestCalm(rows)) {
-    row["cheapest"] = takeText(*cheapest);
-    row["cheapest_ms"] = msPerFrame(numberIn(*cheapest, "us_per_simulated_second"));
-    row["cheapest_error"] = (*cheapest)["error_mean"];
-  }
   if (const ReportRow* best = bestForBudget(rows, budget)) {
     row["method"] = (*best)["method"];
     row["setting"] = (*best)["setting"];
@@ -115,16 +121,28 @@ std::string costAndErrorText(const ReportRow& row, const char* cost, const char*
   return figure(row, cost) + " ms, off by " + errorText({{"error_mean", row[error]}}, numberIn(row, "error_floor"));
 }
 
-std::string fieldOf(const ReportRow& row) {
+/// The setting under this key, with its cost and its error.
+std::string settingText(const ReportRow& row, const std::string& key) {
+  return row.value(key, "") + ": " + costAndErrorText(row, (key + "_ms").c_str(), (key + "_error").c_str());
+}
+
+/// @param isLargest whether it is the largest budget: the field then tells what exceeds it
+std::string fieldOf(const ReportRow& row, bool isLargest) {
   if (row["cloth"].is_null()) {
     return "not measured";
   }
-  if (row["method"].is_null()) {
-    return row["cheapest"].is_null() ? "no known error"
-                                     : "none\nthe cheapest, " + row.value("cheapest", "") + ", takes " +
-                                           costAndErrorText(row, "cheapest_ms", "cheapest_error");
+  if (!row["method"].is_null()) {
+    return row.value("method", "") + " " + row.value("setting", "") + "\n" + costAndErrorText(row, "cost_ms", "error");
   }
-  return row.value("method", "") + " " + row.value("setting", "") + "\n" + costAndErrorText(row, "cost_ms", "error");
+  if (row["cheapest"].is_null()) {
+    return "no known error";
+  }
+  if (!isLargest) {
+    return "none";
+  }
+  const bool oneDoesBoth = row["cheapest"] == row["finest"];
+  return "none\nThe cheapest is " + settingText(row, "cheapest") +
+         (oneDoesBoth ? "" : "\nThe smallest error has " + settingText(row, "finest"));
 }
 
 /// Whether the methods for a kind of cloth were measured.
@@ -151,7 +169,7 @@ TextTable methodTable(const ReportRows& rows) {
       last = row.value("kind", "");
       table.rows.push_back({last + (row["cloth"].is_null() ? "" : "\n" + row.value("cloth", ""))});
     }
-    table.rows.back().push_back(fieldOf(row));
+    table.rows.back().push_back(fieldOf(row, numberIn(row, "budget_ms") == frameBudgets().back()));
   }
   return table;
 }

@@ -124,26 +124,24 @@ bool writeReference(BudgetCloth& cloth, const std::function<void()>& checkStop, 
   return difference <= useful * diagonal || (difference <= alike * parting && difference <= useless * diagonal);
 }
 
-/// Writes state and errors of a run; without a usable reference only whether it stayed finite.
+/// Writes state and errors of a run; without a usable reference, or of one that blew up, only the state.
 void writeErrors(const BudgetCloth& cloth, const settings::Settings& settings, const Trajectory& own, bool known,
                  ReportRow& row) {
   const bool finite = own.checkpoints() == cloth.checkpoints;
   row["state"] = finite ? "no reference" : "exploded";
-  if (!known || own.checkpoints() < 1) {
+  if (!known || !finite) {
     return;
   }
   const Reference& reference = cloth.reference->reference;
   const ErrorReport report = compareWithReference(*cloth.scene->model, settings.step, own, reference);
   const auto summaries = summarise(*cloth.scene->model, own, reference, report, std::array{row["time"].get<double>()});
   const ErrorSummary summary = summaries.empty() ? ErrorSummary{} : summaries.front();
-  row["state"] = stateOf(finite && !summaries.empty(), summary.meanError / report.diagonal, summary.motionKept);
+  row["state"] = stateOf(!summaries.empty(), summary.meanError / report.diagonal, summary.motionKept);
   row["error_mean"] = finiteOrNull(summary.meanError);
   row["error_of_diagonal"] = finiteOrNull(summary.meanError / report.diagonal);
   row["motion_kept"] = finiteOrNull(summary.motionKept);
-  if (finite) {
-    row["error_max"] =
-        finiteOrNull(sim::largestDistance(own.states.back().positions, reference.trajectory.states.back().positions));
-  }
+  row["error_max"] =
+      finiteOrNull(sim::largestDistance(own.states.back().positions, reference.trajectory.states.back().positions));
 }
 
 bool wasTooSlow(const ReportRows& section, const ReportRow& row) {
