@@ -1,6 +1,7 @@
 #include "animation_baker.hpp"
 
 #include "animated_nodes.hpp"
+#include "io/clip_facts.hpp"
 #include "io/mesh_import.hpp"
 #include "io/quoted_text.hpp"
 #include "messages/error.hpp"
@@ -21,7 +22,6 @@ namespace {
 
 using messages::InputError;
 
-constexpr double longestClip = 600.0;  // [s]
 constexpr std::size_t maxTriangles = io::maxMovingTriangles;
 constexpr std::size_t maxPositions = 30'000'000;  // in all frames
 constexpr double usualTicks = 25.0;               // a second, for a file that does not say
@@ -255,7 +255,7 @@ void addTriangles(const Baker& baker, io::ImportReply& reply) {
 /// Whether a clip can be baked and chosen by its name.
 bool isUsable(const aiScene& scene, const aiAnimation& clip) {
   const double duration = durationOf(clip);
-  return duration > 0.0 && duration <= longestClip && (scene.mNumAnimations == 1 || clip.mName.length > 0);
+  return duration > 0.0 && duration <= io::longestClip && (scene.mNumAnimations == 1 || clip.mName.length > 0);
 }
 
 std::vector<io::ClipFacts> clipsOf(const aiScene& scene) {
@@ -289,9 +289,9 @@ io::ImportReply bakeAnimation(const aiScene& scene, const BakeOptions& options) 
   if (!(duration > 0.0)) {
     throw InputError("its clip " + name + " has no length. Choose another clip, or export it again.");
   }
-  if (!(duration <= longestClip)) {
+  if (!(duration <= io::longestClip)) {
     throw InputError(
-        fmt::format("its clip {} takes {:.3g} s, and the limit is {:.0f} s. Cut it.", name, duration, longestClip));
+        fmt::format("its clip {} takes {:.3g} s, and the limit is {:.0f} s. Cut it.", name, duration, io::longestClip));
   }
   Baker baker(scene, clip);
   io::ImportReply reply;

@@ -4,6 +4,9 @@
 
 namespace drape::io {
 
+/// The largest duration of a clip that can be played [s].
+inline constexpr double longestClip = 600.0;
+
 /// A clip of a file with a skeletal animation.
 struct ClipFacts {
   std::string name;       ///< empty if it has none

@@ -1,5 +1,6 @@
 #include "io/gltf_keys.hpp"
 
+#include "io/clip_facts.hpp"
 #include "io/gltf_numbers.hpp"
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -46,7 +48,7 @@ class StoredKeys {
       : times_(document, buffers, gltfIndexOf(sampler, "input")),
         values_(document, buffers, gltfIndexOf(sampler, "output")) {}
 
-  /// Whether there are `each` values for each time, and the times are finite and ascend.
+  /// Whether there are `each` values for each time, and the times are finite, ascend and are not too far apart.
   [[nodiscard]] bool areSound(std::size_t each) const {
     const bool moves = values_.components() == placeSize || values_.components() == turnSize;
     if (!moves || times_.components() != 1 || times_.count() == 0 || values_.count() != each * times_.count()) {
@@ -57,7 +59,7 @@ class StoredKeys {
         return false;
       }
     }
-    return true;
+    return time(count() - 1) - time(0) <= longestClip;
   }
 
   [[nodiscard]] std::size_t count() const { return times_.count(); }
@@ -115,11 +117,10 @@ Value curveAt(const StoredKeys& keys, std::size_t key, double s) {
 
 StraightKeys straightCurve(const StoredKeys& keys) {
   constexpr double longestPiece = 1.0 / 120.0;  // [s]
-  constexpr double maxPieces = 1000.0;          // of a curve between two keys
   StraightKeys straight{.times = {}, .values = {}, .size = keys.size()};
   for (std::size_t k = 0; k + 1 < keys.count(); ++k) {
     const double span = keys.time(k + 1) - keys.time(k);
-    const double pieces = std::clamp(std::ceil(span / longestPiece), 1.0, maxPieces);
+    const double pieces = std::ceil(span / longestPiece);
     for (double piece = 0.0; piece < pieces; piece += 1.0) {
       const double share = piece / pieces;
       straight.add(static_cast<float>(keys.time(k) + share * span), curveAt(keys, k, share));
@@ -164,8 +165,9 @@ class NumbersWriter {
       accessor["max"] = {numbers.back()};
     }
     accessors.push_back(std::move(accessor));
-    data_.append(reinterpret_cast<const char*>(numbers.data()),
-                 bytes);  // NOLINT(cppcoreguidelines-pro-type-reinterpret-cast)
+    const std::size_t end = data_.size();
+    data_.resize(end + bytes);
+    std::memcpy(data_.data() + end, numbers.data(), bytes);
     return accessors.size() - 1;
   }
 

@@ -97,6 +97,7 @@ TEST(GltfKeys, stayAsTheyAreWhereTheyAreStraightOrDamaged) {
       {"LINEAR", {0.0F, 1.0F}, "VEC3", real, 3, values},
       {"STEP", {1.0F, 0.0F}, "VEC3", real, 3, values},
       {"STEP", {0.0F, NAN}, "VEC3", real, 3, values},
+      {"STEP", {0.0F, 1e30F}, "VEC3", real, 3, values},
       {"STEP", {0.0F, 1.0F, 2.0F}, "VEC3", real, 3, values},
       {"CUBICSPLINE", {0.0F, 1.0F}, "VEC3", real, 3, values},
       {"STEP", {0.0F, 1.0F}, "SCALAR", real, 1, std::vector<float>{0, 1}},
