@@ -194,16 +194,19 @@ class Search {
     total_ = wide.size() + narrow.size() + lateral.size() + narrow.size();
     tryAll(wide);
     tryAll(narrow);
-    if (!isWorn()) {
+    checkBest();
+    if (!isWorn_) {
       // The middle of a garment with one sleeve is not that of the body.
       tryAll(lateral);
       tryAll(narrow);
+      checkBest();
     }
     return best_;
   }
 
   [[nodiscard]] double least() const { return least_; }
-  [[nodiscard]] bool isWorn() { return badness_.isWorn(shiftedBy(best_)); }
+  /// Whether the garment is worn in the best place (Badness::isWorn).
+  [[nodiscard]] bool isWorn() const { return isWorn_; }
 
  private:
   void tryAll(const std::vector<Vec3>& shifts) {
@@ -220,6 +223,8 @@ class Search {
     }
   }
 
+  void checkBest() { isWorn_ = badness_.isWorn(shiftedBy(best_)); }
+
   [[nodiscard]] std::vector<Vec3> shiftedBy(const Vec3& shift) const {
     Pose pose;
     pose.position = shift;
@@ -231,6 +236,7 @@ class Search {
   const std::function<void(double)>& progress_;
   Vec3 best_ = Vec3::Zero();
   double least_ = std::numeric_limits<double>::max();
+  bool isWorn_ = false;
   std::size_t tried_ = 0;
   std::size_t total_ = 1;
 };
@@ -265,39 +271,27 @@ struct Candidate {
   }
 };
 
-class Placer {
- public:
-  Placer(const sim::ClothMesh& garment, const ShrinkingBody& body, const BodyParts& parts,
-         const std::function<void(double)>& progress)
-      : garment_(garment), body_(body), parts_(parts), progress_(progress) {}
-
-  /// By the boxes if the rule says so, or if there are no landmarks.
-  [[nodiscard]] Candidate byRule(PlacementRule rule) const {
-    Placement result{PlacementRule::Boxes, turnToFront(garment_, parts_)};
-    sim::ClothMesh turned{moved(garment_.positions, result.pose), garment_.triangles};
-    const GarmentOpenings unplaced(turned);
-    std::optional<Vec3> shift;
-    if (rule != PlacementRule::Boxes) {
-      shift = shiftByLandmarks(turned.positions, unplaced, parts_);
-    }
-    result.rule = shift ? PlacementRule::Landmarks : PlacementRule::Boxes;
-    result.pose.position += shift ? *shift : shiftByBoxes(turned.positions, unplaced, body_, parts_);
-    turned.positions = moved(garment_.positions, result.pose);
-    const GarmentOpenings openings(turned);
-    Badness badness(turned, body_, parts_, openings);
-    // A cape hangs behind the body, farther than any landmark tells.
-    const int forwards = openings.all().empty() ? 10 : 4;
-    Search search(badness, turned.positions, progress_);
-    result.pose.position += search.run(forwards);
-    return {result, search.least(), search.isWorn()};
+/// The best place by the landmarks, or by the boxes if the rule says so or if there are no landmarks.
+Candidate candidateBy(PlacementRule rule, const sim::ClothMesh& garment, const ShrinkingBody& body,
+                      const BodyParts& parts, const std::function<void(double)>& progress) {
+  Placement result{PlacementRule::Boxes, turnToFront(garment, parts)};
+  sim::ClothMesh turned{moved(garment.positions, result.pose), garment.triangles};
+  const GarmentOpenings unplaced(turned);
+  std::optional<Vec3> shift;
+  if (rule != PlacementRule::Boxes) {
+    shift = shiftByLandmarks(turned.positions, unplaced, parts);
   }
-
- private:
-  const sim::ClothMesh& garment_;
-  const ShrinkingBody& body_;
-  const BodyParts& parts_;
-  const std::function<void(double)>& progress_;
-};
+  result.rule = shift ? PlacementRule::Landmarks : PlacementRule::Boxes;
+  result.pose.position += shift ? *shift : shiftByBoxes(turned.positions, unplaced, body, parts);
+  turned.positions = moved(garment.positions, result.pose);
+  const GarmentOpenings openings(turned);
+  Badness badness(turned, body, parts, openings);
+  // A cape hangs behind the body, farther than any landmark tells.
+  const int forwards = openings.all().empty() ? 10 : 4;
+  Search search(badness, turned.positions, progress);
+  result.pose.position += search.run(forwards);
+  return {result, search.least(), search.isWorn()};
+}
 
 }  // namespace
 
@@ -315,10 +309,9 @@ Placement place(const sim::ClothMesh& garment, const ShrinkingBody& body, const 
   if (rule == PlacementRule::File || (rule == PlacementRule::Auto && isWornAsInFiles(garment, body, parts))) {
     return {};
   }
-  const Placer placer(garment, body, parts, progress);
-  Candidate best = placer.byRule(rule);
+  Candidate best = candidateBy(rule, garment, body, parts, progress);
   if (rule == PlacementRule::Auto && !best.isWorn && best.placement.rule == PlacementRule::Landmarks) {
-    const Candidate byBoxes = placer.byRule(PlacementRule::Boxes);
+    const Candidate byBoxes = candidateBy(PlacementRule::Boxes, garment, body, parts, progress);
     best = byBoxes.isBetterThan(best) ? byBoxes : best;
   }
   return best.placement;
