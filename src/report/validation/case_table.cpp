@@ -138,7 +138,7 @@ ValidationCase cusickOf(const fabrics::Preset& preset) {
           .run = cusick,
           .resolutions = discResolutions,
           .kinds = oneKind,
-          .shortForm = static_cast<std::size_t>(preset.drape ? 2 : 1),
+          .shortResolutions = static_cast<std::size_t>(preset.drape ? 2 : 1),
           .subject = preset.name,
           .reason = reasonOutsideRange(preset.name)};
 }
@@ -162,7 +162,7 @@ ValidationCase remeshedDiscOf(const fabrics::Preset& preset) {
           .run = remeshedDisc,
           .resolutions = remeshedResolutions,
           .everyResolution = true,
-          .shortForm = 1,
+          .shortResolutions = 1,
           .subject = preset.name,
           .reason = lockingReason};
 }
@@ -178,7 +178,7 @@ ValidationCase capeCase() {
           .resolutions = remeshedResolutions,
           .kinds = oneKind,
           .everyResolution = true,
-          .shortForm = 1,
+          .shortResolutions = 1,
           .subject = "denim",
           .reason = lockingReason};
 }
@@ -194,7 +194,7 @@ ValidationCase skirtCase() {
           .resolutions = skirtResolutions,
           .kinds = skirtKind,
           .everyResolution = true,
-          .shortForm = 1,
+          .shortResolutions = 1,
           .subject = "denim"};
 }
 

@@ -34,7 +34,7 @@ std::string_view nameOf(CaseGroup group) {
 
 std::span<const int> resolutionsOf(const ValidationCase& validationCase, bool shortForm) {
   const std::span<const int> all = validationCase.resolutions;
-  return shortForm ? all.first(validationCase.shortForm) : all;
+  return shortForm ? all.first(validationCase.shortResolutions) : all;
 }
 
 std::vector<MeshKind> kindsOf(const ValidationCase& validationCase, bool shortForm) {

@@ -57,7 +57,7 @@ struct ValidationCase {
   std::span<const MeshKind> kinds = meshKinds;
   std::span<const MeshKind> slowKinds = {};  ///< further ones, on which the search takes minutes
   bool everyResolution = false;              ///< the aim holds for every resolution, not only for the finest
-  std::size_t shortForm = 2;                 ///< the short form has so many of the resolutions, the coarsest ones
+  std::size_t shortResolutions = 2;          ///< how many of them the short form has, the coarsest first
   std::string_view subject = {};             ///< CaseMesh::subject
   std::string_view reason = {};              ///< the known reason why its error exceeds the aim; empty if it does not
 };
