@@ -30,8 +30,8 @@ bool hasBoundedPositions(const std::vector<Vec3>& positions) {
 }
 
 /// Whether free vertices move so far relative to each other that only a solver that diverges can be the cause. The
-/// search for pairs would then find nearly all pairs of the cloth. Without contact the solver soon ends in numbers that
-/// are not finite, which is reported.
+/// search for pairs would then find nearly all pairs of the cloth. Without contact the positions soon are no longer
+/// finite, which is reported.
 bool diverges(const ClothModel& model, const std::vector<Vec3>& start, const std::vector<Vec3>& end, double timeStep) {
   constexpr double diagonals = 2.0;   // of the cloth [-]
   constexpr double maxSpeed = 300.0;  // of a small cloth [m/s]
@@ -179,7 +179,7 @@ void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<B
   }
   planes_.clear();
   for (int round = 0; round < maxGuardRounds; ++round) {
-    // All of them, so that the rounds converge.
+    // Keeps the planes of earlier rounds, so that the rounds converge.
     planes_.insert(planes_.end(), bodyContact().planes().begin(), bodyContact().planes().end());
     unguarded_ = state.positions;
     report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state);
@@ -270,7 +270,7 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
     beforeGuard_.velocities = state.velocities;
     guardAgainstItself({model, parameters, contact, start_, hadNoIntersection, state.selfContact},
                        nearBodies ? inputs.bodies : nullptr, state, report);
-    // Recovery needs the energy with which the guard moves crossing parts.
+    // Of cloth that intersects itself the energy is not removed: recovery moves crossing parts against the springs.
     if (report.intersections == 0 && state.positions != beforeGuard_.positions) {
       report.guardWork = energyOf(model, parameters, state).total() - energyOf(model, parameters, beforeGuard_).total();
     }

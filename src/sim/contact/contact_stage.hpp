@@ -23,13 +23,24 @@ class SelfContact;
 /// Whether body contact is on and the scene has bodies.
 [[nodiscard]] bool meetsBodies(const ContactParameters& contact, const StepInputs& inputs);
 
-/// Contact for a step of any solver (docs/theory/contact.md). The solver predicts the motion without contact. Then
+/// Contact for the steps of any solver (docs/theory/contact.md). The solver predicts the motion without contact. Then
 /// contact corrects positions and velocities, so that the next step starts without overlap and without approach
-/// velocity. It runs once per contact substep, not once per solver substep: many solver substeps do not make it more
-/// expensive, and motion through a body within a step is still found.
+/// velocity. A contact substep has these stages:
 ///
-/// Positions and velocities are corrected separately. Position corrections leave no velocity behind. Velocity
-/// corrections only remove kinetic energy, in the frame of the body in contact.
+/// 1. `begin` stores the positions at its start.
+/// 2. With a solver that resolves contacts, `findSubstepContacts` lists the contacts for its substeps.
+/// 3. The solver moves the cloth: predicted positions and velocities.
+/// 4. `resolve` corrects them: by self-collision (SelfContact or ExactSelfContact), then by contact with bodies
+///    (BodyContact), then by the guard against intersections of the cloth with itself (ExactSelfContact::guard).
+///
+/// Contact acts once per contact substep, not once per solver substep. So its cost does not grow with the number of
+/// solver substeps. It still detects motion through a body within a contact substep. The parameters of all functions
+/// are those of the contact substep: CommonParameters::timeStep is its length [s], and StepInputs::bodies has the
+/// motion of the bodies in it.
+///
+/// Positions and velocities are corrected separately. A correction of positions adds no velocity, except in
+/// self-collision by the hash (SelfResponse). Velocity corrections only remove kinetic energy, in the frame of the body
+/// in contact.
 class ContactStage {
  public:
   ContactStage();
@@ -39,11 +50,11 @@ class ContactStage {
   ContactStage& operator=(ContactStage&&) noexcept;
   ~ContactStage();
 
-  /// Stores the state at the start of the step. Does nothing if contact is off.
+  /// Stores the positions at the start of a contact substep. Does nothing if contact is off.
   void begin(const ContactParameters& contact, const StepInputs& inputs, const ClothState& state);
 
-  /// Whether the cloth is near a body or, by its velocity and gravity, comes near one in this step.
-  /// Requires bodies.
+  /// Whether the cloth is near a body or, by its velocity and gravity, comes near one in this step. Requires bodies
+  /// (meetsBodies).
   [[nodiscard]] bool isNearBodies(const ClothModel& model, const CommonParameters& parameters,
                                   const ContactParameters& contact, const StepInputs& inputs, const ClothState& state);
 
@@ -53,18 +64,19 @@ class ContactStage {
                                               const ContactParameters& contact, const ClothState& state);
 
   /// Finds the contacts, with bodies and of the cloth with itself, that a solver can resolve in its substeps, for a
-  /// step from `state`. Stores the list of near pairs of the cloth in it.
+  /// contact substep from `state`. With the hash, stores the list of near pairs of the cloth in `state`.
+  /// @param found the contacts are appended
   void findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
                            const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
                            std::vector<SubstepContact>& found);
 
   /// Adds the contacts of the cloth with itself that the predicted state violates and that `findSubstepContacts` did
   /// not list. Only with exact self-collision.
-  /// @returns whether there are any
+  /// @param listed the contacts are appended  @returns whether there are any
   bool addMissedContacts(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                          const ClothState& state, std::vector<SubstepContact>& listed);
 
-  /// Corrects the predicted state. Does nothing if `begin` did nothing.
+  /// Corrects the positions and velocities of the predicted state. Does nothing if `begin` did nothing.
   /// @param stepFraction length of this contact substep over that of the user's step [-]; scales how far pairs that are
   /// too close are pushed apart
   ContactReport resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
@@ -72,10 +84,10 @@ class ContactStage {
 
   /// Replaces `resolve` in a step of sleeping cloth, which needs no contact: its contacts are those of the last
   /// `resolve`.
-  /// @returns the report of that, without times
+  /// @returns the report of the last `resolve`, without times and work
   ContactReport keepLast();
 
-  /// The predicted state of the last step; nullptr if contact was off or changed nothing.
+  /// The predicted positions and velocities of the last `resolve`; nullptr if contact was off or had no contacts.
   [[nodiscard]] const ClothState* unresolved() const { return changed_ ? &unresolved_ : nullptr; }
 
   /// The active contacts of the last `resolve`.
@@ -92,13 +104,13 @@ class ContactStage {
   void guardAgainstItself(const ExactStep& step, const std::vector<BodyStep>* bodies, ClothState& state,
                           ContactReport& report);
 
-  bool active_ = false;
-  bool changed_ = false;
-  std::vector<Vec3> start_;              // positions at the start of the step [m]
+  bool active_ = false;                  // contact is on
+  bool changed_ = false;                 // the last `resolve` had contacts
+  std::vector<Vec3> start_;              // positions at the start of the contact substep [m]
   std::unique_ptr<BodyContact> bodies_;  // created at first use
-  ClothState unresolved_;
-  ClothState beforeGuard_;
-  std::vector<Vec3> ahead_;  // positions extrapolated by the velocity [m]
+  ClothState unresolved_;                // predicted positions and velocities
+  ClothState beforeGuard_;               // positions and velocities before the guard
+  std::vector<Vec3> ahead_;              // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
   ContactReport report_;                     // of the last `resolve`
   double bodySeconds_ = 0.0;                 // of findSubstepContacts [s]

@@ -21,7 +21,7 @@ struct PlaneShape {
 struct SphereShape {
   double radius = 0.5;  ///< [m]
 };
-/// All points closer than the radius to the segment from (0, -halfLength, 0) to (0, halfLength, 0).
+/// All points within the radius of the segment from (0, -halfLength, 0) to (0, halfLength, 0).
 struct CapsuleShape {
   double radius = 0.1;      ///< [m]
   double halfLength = 0.5;  ///< [m]
@@ -40,8 +40,8 @@ class Deformation {
   Deformation& operator=(Deformation&&) = delete;
   virtual ~Deformation() = default;
 
-  /// Writes the positions at that time [s], one a vertex of the mesh, in its own frame [m]. They are continuous in
-  /// time, and depend on nothing but the time.
+  /// Writes the positions at that time [s], one for each vertex of the mesh, in its own frame [m]. They are continuous
+  /// in time, and depend only on the time.
   virtual void positionsAt(double time, std::vector<Vec3>& positions) const = 0;
 };
 
@@ -88,15 +88,15 @@ struct Body {
   std::vector<CarriedPin> pins;  ///< vertices of the cloth that move with it
 };
 
-/// The motion of a body over a step.
+/// The motion of a body over a step or a contact substep.
 struct BodyStep {
   const Body* body = nullptr;
   Pose start;
   Pose end;
-  std::span<const Vec3>
-      startVertices;  ///< of a mesh at the start of the step, in its own frame [m]; empty for other shapes
+  /// The vertices of a mesh at the start of the step, in its own frame [m]; empty for other shapes.
+  std::span<const Vec3> startVertices;
   std::span<const Vec3> endVertices;  ///< the same at the end of the step
-  SurfaceProperties surface;
+  SurfaceProperties surface;          ///< at present
 };
 
 /// The drawn surface of a body, in its own frame. The drawn surface of a sphere or a capsule lies inside the true one.
@@ -108,7 +108,7 @@ struct BodySurface {
 
 [[nodiscard]] BodySurface surfaceOf(const BodyShape& shape);
 
-/// The position at the end of the step of a pin that the body carries. `position` is that at the start [m].
+/// The position at the end of the step of a pin that moves with the body [m]. @param position at the start [m]
 [[nodiscard]] Vec3 carriedBy(const BodyStep& body, const CarriedPin& pin, const Vec3& position);
 
 }  // namespace drape::sim::contact

@@ -36,9 +36,10 @@ struct BodyMotion {
 /// The pose with this position [m] and rotation, axis times angle [rad].
 [[nodiscard]] Pose poseOf(const Vec3& position, const Vec3& rotation);
 
-/// The interpolated values of a motion, without its spin. Zero without keyframes.
+/// The interpolated values of a motion at that time [s], without its spin and its placement. Zero without keyframes.
 [[nodiscard]] Keyframe keyframeAt(const BodyMotion& motion, double time);
 
+/// The pose of a body at that time [s], with spin and placement.
 [[nodiscard]] Pose poseAt(const BodyMotion& motion, double time);
 
 }  // namespace drape::sim::contact

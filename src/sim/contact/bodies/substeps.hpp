@@ -10,6 +10,7 @@ namespace drape::sim::contact {
 class BodySubsteps {
  public:
   /// The motion from one fraction of the step to another; 0 is its start, 1 its end. Valid until the next call.
+  /// @param whole the motion over the step
   [[nodiscard]] const std::vector<BodyStep>& between(const std::vector<BodyStep>& whole, double from, double to);
 
  private:

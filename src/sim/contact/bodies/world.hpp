@@ -10,8 +10,8 @@ namespace drape::sim::contact {
 
 /// How the user has changed the prescribed motion of a body.
 struct BodyShift {
-  Vec3 shift = Vec3::Zero();                                 ///< how far the body is dragged from it now [m]
-  Vec3 target = Vec3::Zero();                                ///< that the shift approaches [m]
+  Vec3 shift = Vec3::Zero();                                 ///< present displacement from the prescribed motion [m]
+  Vec3 target = Vec3::Zero();                                ///< displacement that the shift approaches [m]
   std::shared_ptr<const Deformation> deformation = nullptr;  ///< instead of that of its mesh; null: none
 };
 
@@ -41,6 +41,7 @@ class BodyWorld {
 
   /// Sets the shift that a dragged body approaches, relative to its prescribed motion [m].
   void shiftTowards(std::size_t body, const Vec3& shift) { states_[body].targetShift = shift; }
+  /// Sets whether the cloth collides with a body.
   void switchOn(std::size_t body, bool on);
   void setSurface(std::size_t body, const SurfaceProperties& surface);
   /// Lets a mesh that deforms follow another deformation from the next step on, also after a reset. It must continue
@@ -52,7 +53,7 @@ class BodyWorld {
   /// Advances the bodies from `time` to `time + timeStep` [s].
   void advance(double time, double timeStep);
 
-  /// The motion over the last step of the bodies that are on. Before the first step they stand still.
+  /// The motion of the bodies that are on, over the last step. Before the first step they stand still.
   [[nodiscard]] const std::vector<BodyStep>& steps() const { return steps_; }
 
   [[nodiscard]] const std::vector<Body>& bodies() const { return *bodies_; }

@@ -7,7 +7,8 @@
 
 namespace drape::sim::contact {
 
-/// Clusters of a few triangles of a cloth that are close together at rest. The broad phase culls whole clusters.
+/// A partition of the triangles of a cloth into clusters of up to 8 triangles that are close together at rest. The
+/// broad phase culls whole clusters.
 class ClothClusters {
  public:
   explicit ClothClusters(const ClothModel& model);
@@ -20,13 +21,14 @@ class ClothClusters {
   [[nodiscard]] std::span<const int> vertices(std::size_t cluster) const {
     return part(vertices_, vertexBegin_[cluster], vertexBegin_[cluster + 1]);
   }
-  /// Those of them that belong to no earlier cluster.
+  /// The vertices of a cluster that belong to no earlier cluster, so that a loop over all clusters visits each vertex
+  /// once.
   [[nodiscard]] std::span<const int> ownVertices(std::size_t cluster) const {
     return part(vertices_, vertexBegin_[cluster], ownEnd_[cluster]);
   }
 
-  /// The range of clusters whose first triangle is in begin to end - 1, counted cluster by cluster. It turns a division
-  /// of a loop over triangles into a division of a loop over clusters.
+  /// The range of clusters (first, one past the last) whose first triangle is in begin to end - 1, if triangles are
+  /// counted cluster by cluster. It turns a division of a loop over triangles among threads into one over clusters.
   [[nodiscard]] std::pair<std::size_t, std::size_t> clustersWithin(int begin, int end) const;
 
  private:

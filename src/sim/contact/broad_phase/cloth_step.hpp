@@ -8,12 +8,12 @@
 
 namespace drape::sim::contact {
 
-/// The motion of a cloth over a contact substep, as the solver predicted it.
+/// The input of body contact: the motion of a cloth over a contact substep, as the solver predicted it.
 struct ClothStep {
   const ClothModel& model;
   const CommonParameters& parameters;
   const ContactParameters& contact;
-  const std::vector<Vec3>& start;      ///< positions at the start of the step [m]
+  const std::vector<Vec3>& start;      ///< positions at the start of the contact substep [m]
   const std::vector<Vec3>& predicted;  ///< positions at its end, without contact [m]
 };
 

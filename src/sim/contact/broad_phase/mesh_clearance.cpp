@@ -10,7 +10,8 @@
 namespace drape::sim::contact {
 namespace {
 
-/// Slacks that are tried first: a cluster without leaves within such a distance has this slack [m].
+/// Slacks that are tried first [m]: if no leaf of the mesh is within the slack and the required distance, the cluster
+/// has this slack.
 constexpr std::array wideSlacks{0.16, 0.04};
 constexpr double narrowSlack = 0.01;  // maximum slack of clusters with closer leaves [m]
 
@@ -52,8 +53,9 @@ double squaredMove(std::span<const int> vertices, std::span<const Vec3> position
 
 }  // namespace
 
-/// The slack of a cluster at its start [m]; negative: a triangle of it is too close already. The distance of a triangle
-/// and a leaf is bounded by the gap along any direction; two directions are tried besides the axes.
+/// The slack of a cluster at its start [m]; negative: a triangle of it is already too close. The gap along any
+/// direction is a lower bound of the distance of a triangle and a leaf. Two directions are tried besides the axes: the
+/// normal of the triangle, and the offset between the middles of both.
 double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
                               double distance) {
   const Eigen::AlignedBox3d box = boxOf(motion.clusters.vertices(cluster), motion.start);

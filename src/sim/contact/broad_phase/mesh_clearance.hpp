@@ -10,24 +10,26 @@
 
 namespace drape::sim::contact {
 
-/// The motion of a cloth over a step, in a body's frame.
+/// The motion of a cloth over a step, in a body's frame. The vertices move on straight lines.
 struct ClothMotion {
   const ClothModel& model;
   const ClothClusters& clusters;
-  std::span<const Vec3> start;  ///< position of each vertex [m]
-  std::span<const Vec3> end;    ///< position of each vertex [m]; they move in straight lines
+  std::span<const Vec3> start;  ///< positions of the vertices at the start [m]
+  std::span<const Vec3> end;    ///< and at the end [m]
 };
 
-/// Broad phase for rigid meshes: decides cheaply that a cloth does not come near the surface of a mesh. A skirt around
-/// a stand, or a flag beside its pole, is always inside the bounding box of the mesh, but rarely near its surface.
+/// Broad phase for rigid meshes: decides at low cost that a cloth does not come near the surface of a mesh. A skirt
+/// around a stand, or a flag beside its pole, is always inside the bounding box of the mesh, but rarely near its
+/// surface.
 ///
 /// Each cluster of triangles caches the positions at which its distance was measured, and a slack: the displacement
-/// from there up to which it stays clear of the mesh.
+/// from there up to which it stays clear of the mesh. While all vertices of a cluster are within the slack at the start
+/// and at the end, its distance is not measured again.
 class MeshClearance {
  public:
-  /// Whether any triangle could come closer to the mesh's surface than `distance` [m]. Conservative: true if unknown.
-  /// Triangles with three pinned corners do not count.
-  /// @param models a number that identifies the model
+  /// Whether any triangle could come closer to the mesh's surface than `distance` [m]. False is certain. Triangles with
+  /// three pinned corners do not count.
+  /// @param models a number that identifies the model of the cloth
   [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
                                std::uint64_t models);
 
@@ -40,21 +42,21 @@ class MeshClearance {
   [[nodiscard]] double slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
                                double distance);
 
-  std::vector<Known> known_;  // per cluster
-  std::vector<std::int32_t> leaves_;
+  std::vector<Known> known_;          // per cluster
+  std::vector<std::int32_t> leaves_;  // scratch of slackOf, as the next two
   std::vector<std::int32_t> leaf_;
   std::vector<Extent> extents_;
-  std::uint64_t models_ = 0;
-  double distance_ = 0.0;
+  std::uint64_t models_ = 0;  // model of `known_`
+  double distance_ = 0.0;     // distance of `known_` [m]
 };
 
-/// Whether a vertex of a cluster that is not pinned comes within the distance `far` [m] of a mesh's surface. The number
-/// of contact substeps depends on it, so the result depends on the motion only, not on cached data.
+/// Whether a vertex of a cluster that is not pinned could come within the distance `far` [m] of a mesh's surface. The
+/// number of contact substeps depends on the result. So it depends on the motion only, not on cached data.
 [[nodiscard]] bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far,
                                    std::size_t cluster);
 
-/// The same for the whole cloth.
-/// @param nearCluster a cluster that is near, set if the result is true
+/// The same for all clusters of the cloth.
+/// @param nearCluster set to a cluster that is near, if the result is true
 [[nodiscard]] bool anyFreeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far,
                                       std::size_t& nearCluster);
 

@@ -31,12 +31,13 @@ class BoxList {
 
  private:
   std::size_t size_ = 0;
-  std::array<std::vector<double>, 3> low_, high_;  // padded by a vector of arbitrary values
+  std::array<std::vector<double>, 3> low_, high_;  // padded by one vector of arbitrary values
 };
 
-inline constexpr std::size_t trianglesPerLeaf = 4;  ///< processed together
+/// Maximum number of triangles in a leaf of a body's mesh. They are processed together.
+inline constexpr std::size_t trianglesPerLeaf = 4;
 
-/// The bounding boxes of the triangles of a leaf; missing ones lie at infinity [m].
+/// The bounding boxes of the triangles of a leaf [m]. If the leaf has fewer triangles, the other boxes lie at infinity.
 struct TriangleBoxes {
   std::array<std::array<double, trianglesPerLeaf>, 3> low, high;
 };
@@ -54,10 +55,10 @@ struct EdgeLanes {
 };
 
 /// The region in which features of a mesh can be in contact with a triangle of the cloth: a box, and a range along the
-/// triangle's normal. Points must also project into the triangle.
+/// triangle's normal. Points must also project into the triangle, unless the weights are zero.
 struct FaceRegion {
   Eigen::AlignedBox3d box;      ///< [m]
-  Vec3 normal = Vec3::UnitY();  ///< of the triangle
+  Vec3 normal = Vec3::UnitY();  ///< unit normal of the triangle
   double low = 0.0;             ///< minimum along the normal [m]
   double high = 0.0;            ///< maximum along the normal [m]
   Vec3 corner = Vec3::Zero();   ///< first corner of the triangle [m]
@@ -72,25 +73,29 @@ struct InRegion {
   std::uint32_t edges = 0;
 };
 
-// The functions below use the widest vector instructions of the machine. Their results are the same bits with any.
+// The functions below use the widest vector instructions of the machine. Their results have the same bits with any
+// instruction set.
 
-/// The indices of the boxes that intersect `box`, ascending.
+/// Finds the indices of the boxes that intersect `box`, ascending. @param met result
 void boxesMeeting(const BoxList& boxes, const Eigen::AlignedBox3d& box, std::vector<std::int32_t>& met);
 
-/// The squared distances from a point to boxes, 0 inside [m^2].
+/// Computes the squared distances from a point to boxes, 0 inside [m^2]. @param squared result, one for each box
 void squaredDistances(const BoxList& boxes, const Vec3& point, std::vector<double>& squared);
 
-/// The squared distances from a point to the boxes of all triangles of some leaves, 0 inside [m^2]. Those of leaf k
-/// start at index trianglesPerLeaf * k.
-/// @param boxes of all leaves
+/// Computes the squared distances from a point to the boxes of all triangles of some leaves, 0 inside [m^2].
+/// @param boxes of all leaves of the mesh  @param leaves indices into `boxes`
+/// @param squared result; that of triangle i of leaves[k] has the index trianglesPerLeaf * k + i
 void squaredDistances(const std::vector<TriangleBoxes>& boxes, const std::vector<std::int32_t>& leaves,
                       const Vec3& point, std::vector<double>& squared);
 
-/// The vertex of some leaves with the maximum coordinate along a direction.
+/// A vertex with the maximum coordinate along a direction.
 struct SupportIndex {
   double height = -std::numeric_limits<double>::infinity();  ///< along the direction [m]
   std::size_t at = 0;                                        ///< index into the lanes; the first of several
 };
+
+/// The vertex of some leaves with the maximum coordinate along a direction.
+/// @param begin first vertex of each leaf in `lanes`, and one past the last
 SupportIndex supportAlong(const LeafLanes& lanes, const std::vector<std::size_t>& begin,
                           const std::vector<std::int32_t>& leaves, const Vec3& direction);
 

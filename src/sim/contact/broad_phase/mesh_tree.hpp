@@ -8,14 +8,14 @@
 namespace drape::sim::contact {
 
 /// A bounding volume hierarchy of axis-aligned boxes over the triangles of a mesh. Each leaf holds a few neighbouring
-/// triangles.
+/// triangles. Leaves are numbered from 0 in the order of the tree.
 class MeshTree {
  public:
   /// Splits at the median along the longest side, so that the same mesh gives the same tree.
   /// @param maxTriangles in a leaf
   MeshTree(std::span<const Vec3> positions, std::span<const Triangle> triangles, std::size_t maxTriangles);
 
-  /// Fits the boxes to the triangles at both positions, for a deforming mesh.
+  /// Fits the boxes to the triangles of a deforming mesh, at its positions before and after a step [m].
   void refit(std::span<const Vec3> before, std::span<const Vec3> after, std::span<const Triangle> triangles);
 
   [[nodiscard]] const Eigen::AlignedBox3d& bounds() const { return nodes_.front().box; }

@@ -15,9 +15,9 @@ struct PreparedCloth {
 
   std::uint64_t number;  ///< identifies the cloth, so that cached data of another one are not used
   ClothClusters clusters;
-  std::vector<OwnedFeatures> owned;
-  std::vector<int> pieces;          ///< one vertex of each connected piece
-  std::vector<double> inverseMass;  ///< per vertex [1/kg]; 0 if it is pinned
+  std::vector<OwnedFeatures> owned;  ///< one per triangle
+  std::vector<int> pieces;           ///< one vertex of each connected piece
+  std::vector<double> inverseMass;   ///< per vertex [1/kg]; 0 if it is pinned
 };
 
 }  // namespace drape::sim::contact

@@ -29,8 +29,8 @@ Eigen::AlignedBox3d inFrame(const Pose& pose, const Eigen::AlignedBox3d& box) {
   return local;
 }
 
-/// Whether points that move from one box into another during the step could come closer to the body than `far` [m].
-/// Motion is straight in the body's frame.
+/// Whether points that move from one box into another in the step could come closer to the body than `far` [m]. They
+/// move on straight lines in the body's frame.
 bool couldMeet(const BodyStep& body, const SearchableMesh* mesh, const Eigen::AlignedBox3d& start,
                const Eigen::AlignedBox3d& end, double far) {
   const Eigen::AlignedBox3d sweep = inFrame(body.start, start).merged(inFrame(body.end, end));
@@ -99,7 +99,7 @@ ClothMotion ReachableBodies::motionIn(const BodyStep& body, const ClothModel& mo
 }
 
 /// Whether free cloth comes within the distance `far` [m] of a rigid mesh. The cluster that was near the last time is
-/// tested first, without the rest of the cloth.
+/// tested first, so that the rest of the cloth need not be transformed.
 bool ReachableBodies::isNear(const BodyStep& body, Mesh& mesh, const ClothModel& model, const PreparedCloth& cloth,
                              const std::vector<Vec3>& start, const std::vector<Vec3>& end, double far) {
   if (mesh.nearCluster < cloth.clusters.count()) {
@@ -118,7 +118,7 @@ bool ReachableBodies::isNear(const BodyStep& body, Mesh& mesh, const ClothModel&
   return anyFreeClothIsNear(mesh.searchable, motionIn(body, model, cloth, start, end), far, mesh.nearCluster);
 }
 
-/// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the current positions.
+/// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the present positions.
 bool ReachableBodies::isKnownClearOf(const ClothStep& step, const PreparedCloth& cloth, const BodyStep& body,
                                      Mesh& mesh, const std::vector<Vec3>& positions) {
   const SearchableMesh& searchable = mesh.searchable;

@@ -21,11 +21,15 @@ struct ReachableBody {
 /// The contact offset of vertices from a body [m].
 [[nodiscard]] double contactOffsetOf(const BodyStep& step, const ContactParameters& contact);
 
-/// The broad phase of body contact: chooses the bodies that the cloth could reach in a step. Keeps the search
+/// The broad phase of body contact: chooses the bodies that the cloth could reach in a step. It keeps the search
 /// structures of meshes, and the clearances between them and the cloth.
+///
+/// A body is out of reach if its bounding box, inflated by two contact offsets, does not overlap that of the cloth's
+/// motion in its frame. A rigid mesh is also out of reach if no cluster of the cloth comes near its surface
+/// (MeshClearance) and no piece of the cloth is inside it.
 class ReachableBodies {
  public:
-  /// Whether cloth that moves from one box into another could come near any of the bodies.
+  /// Whether cloth that moves from one box into another could come near any of the bodies, by the bounding boxes only.
   [[nodiscard]] bool couldReachAny(const ContactParameters& contact, const std::vector<BodyStep>& bodies,
                                    const Eigen::AlignedBox3d& start, const Eigen::AlignedBox3d& end);
 
@@ -36,8 +40,8 @@ class ReachableBodies {
                                const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start,
                                const std::vector<Vec3>& end, double spread);
 
-  /// The bodies that the cloth could reach on its way into the box `ends`, and that are not known yet.
-  /// @param positions current positions, corrected by the known bodies [m]
+  /// The bodies that the cloth could reach on its way into the box `ends`, except those in `known`.
+  /// @param positions present positions, corrected by contact with the known bodies [m]
   [[nodiscard]] std::vector<ReachableBody> find(const ClothStep& step, const PreparedCloth& cloth,
                                                 const std::vector<BodyStep>& bodies, const std::vector<Vec3>& positions,
                                                 const Eigen::AlignedBox3d& ends,
@@ -48,7 +52,7 @@ class ReachableBodies {
     explicit Mesh(MeshShape shape) : searchable(std::move(shape)) {}
     SearchableMesh searchable;
     MeshClearance clearance;
-    std::size_t nearCluster = 0;  // of the cloth: it was near the last time
+    std::size_t nearCluster = 0;  // cluster of the cloth that was near the mesh in the last isNear
   };
 
   Mesh* meshOf(const BodyStep& body);

@@ -12,7 +12,7 @@
 namespace drape::sim::contact {
 namespace {
 
-constexpr double sharpAngle = 0.02;  // sine of the convex angle below which an edge counts as flat [-]
+constexpr double sharpAngle = 0.02;  // an edge is sharp if the sine of its convex angle is above this [-]
 
 std::vector<std::array<bool, 3>> sharpSides(const MeshShape& mesh) {
   std::vector<std::array<bool, 3>> sharp(mesh.triangles.size(), {true, true, true});

@@ -26,7 +26,9 @@ struct SupportPoint {
   Vec3 point = Vec3::Zero();
 };
 
-/// A mesh with its search structures. They are built once, and updated in every step for a deforming mesh.
+/// A mesh with its search structures. They are built once, and updated in every step for a deforming mesh. All
+/// coordinates are in the body's frame. `atEnd` chooses between the start and the end of the step; for a rigid mesh
+/// both are the same.
 class SearchableMesh {
  public:
   explicit SearchableMesh(MeshShape mesh);
@@ -40,8 +42,8 @@ class SearchableMesh {
 
   [[nodiscard]] bool isDeforming() const { return shape.deforms(); }
 
-  /// The extents of some leaves of the tree along a unit vector, at the end or at the start of the step.
-  /// @return their union
+  /// Computes the extents of some leaves of the tree along a unit vector.
+  /// @param extents result, one for each of `leaves`  @return their union
   Extent extentsAlong(const Vec3& direction, const std::vector<std::int32_t>& leaves, bool atEnd,
                       std::vector<Extent>& extents) const {
     return drape::sim::contact::extentsAlong(geometry(atEnd).points, vertexBegin_, leaves, direction, extents);
@@ -58,15 +60,15 @@ class SearchableMesh {
   /// The bounding boxes of the triangles of each leaf; triangle i of the leaf is in lane i.
   [[nodiscard]] const std::vector<TriangleBoxes>& triangleBoxes(bool atEnd) const { return geometry(atEnd).boxes; }
 
-  /// The features of some leaves in a region.
+  /// Finds the features of some leaves that lie in a region. @param found result, one for each of `leaves`
   void featuresIn(const FaceRegion& region, const std::vector<std::int32_t>& leaves, bool atEnd,
                   std::vector<InRegion>& found) const {
     const Geometry& at = geometry(atEnd);
     inRegion(at.points, vertexBegin_, at.edges, edgeBegin_, leaves, region, found);
   }
 
-  /// Calls visit(feature, is an edge) for the points and edges found in a leaf that the leaf owns: triangle by
-  /// triangle, points before edges.
+  /// Calls visit(feature, is an edge) for those points and edges of `found` that the leaf owns: triangle by triangle,
+  /// points before edges. @param found an entry of featuresIn
   template <typename Visit>
   void forEachFeature(std::size_t leaf, InRegion found, Visit&& visit) const {
     const MeshFeature* points = vertexFeatures_.data() + vertexBegin_[leaf];
@@ -91,10 +93,10 @@ class SearchableMesh {
   /// Maximum displacement of the leaf's vertices over the step [m].
   [[nodiscard]] double moveOf(std::size_t leaf) const { return moves_.empty() ? 0.0 : moves_[leaf]; }
 
-  MeshShape shape;  ///< a closed mesh has its triangles facing outwards
+  MeshShape shape;  ///< with triangles that face outwards if the mesh is closed
   bool closed;  ///< every side of a triangle is paired with one in the opposite direction, so the mesh has an inside
   MeshTree tree;
-  std::vector<OwnedFeatures> owned;
+  std::vector<OwnedFeatures> owned;        ///< one per triangle
   std::vector<std::array<bool, 3>> sharp;  ///< per triangle: which of its sides are sharp
 
  private:
