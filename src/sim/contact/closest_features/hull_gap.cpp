@@ -8,7 +8,7 @@ namespace drape::sim::contact {
 namespace {
 
 constexpr int maxGjkIterations = 16;
-constexpr double gapTolerance = 0.95;  // ratio of a sufficient gap to the distance of the hulls [-]
+constexpr double gapTolerance = 0.95;  // a gap of this fraction of the present distance of the hulls suffices [-]
 constexpr double touching = 1e-9;      // distances below this count as zero [m]
 
 /// The point of a triangle, edge or vertex that is closest to the origin, and the corners with non-zero weights.
@@ -36,7 +36,8 @@ bool holdsOrigin(const std::array<Vec3, 4>& corners) {
 
 }  // namespace
 
-/// Measures the gap along a direction. Returns the support point of the leaves.
+/// Measures the gap along a direction, and stores it if it is the widest so far. Finds the support point of the cloth.
+/// @return the support point of the leaves
 SupportPoint HullGapSearch::measure(const Vec3& along) {
   SupportPoint far = mesh_.supportPoint(along, leaves_, atEnd_);
   lowest_ = 0;
@@ -90,7 +91,7 @@ bool HullGapSearch::reduce() {
 
 HullGap HullGapSearch::search(const Vec3& along, const Wanted& wanted) {
   SupportPoint far = measure(along);
-  // Mostly the points are a triangle and the direction is its normal, so all corners are support points.
+  // Usually the points are the corners of a triangle and the direction is its normal, so all are support points.
   count_ = std::min<std::size_t>(points_.size(), 3);
   for (std::size_t i = 0; i < count_; ++i) {
     simplex_[i] = points_[i] - far.point;

@@ -9,11 +9,12 @@
 
 namespace drape::sim::contact {
 
-/// A mesh in a pass of contact, in the body's frame.
+/// A mesh in a pass of contact, in the body's frame. The first pass of a step starts from the cloth at the start of the
+/// step. Later passes start from the result of the pass before, which belongs to the end of the step.
 struct MeshInStep {
   const SearchableMesh& mesh;
-  std::span<const Vec3> startPositions;  ///< at the start of the step [m]
-  std::span<const Vec3> endPositions;    ///< at the end of the step [m]
+  std::span<const Vec3> startPositions;  ///< of the mesh at the start of the step [m]
+  std::span<const Vec3> endPositions;    ///< of the mesh at the end of the step [m]
   bool atEnd = false;                    ///< the cloth's start positions belong to the end of the step
 
   /// The positions at the time of the cloth's start positions.
@@ -38,6 +39,7 @@ struct NearestMeshPoint {
   double squaredDistance = std::numeric_limits<double>::infinity();  ///< the gap as the search compares it [m^2]
 };
 
+/// The closest point with its positions at both ends of the step. @param near with a triangle
 [[nodiscard]] inline NearPoint pointOf(const MeshInStep& mesh, const NearestMeshPoint& near) {
   return {near.gap, near.normal, pointAt(mesh.startCorners(near.triangle), near.weights),
           pointAt(mesh.endCorners(near.triangle), near.weights)};

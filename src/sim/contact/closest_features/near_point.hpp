@@ -12,7 +12,7 @@ struct NearPoint {
   Vec3 normal = Vec3::UnitY();                           ///< towards the cloth
   Vec3 startPoint = Vec3::Zero();                        ///< the point at the start of the step [m]
   Vec3 endPoint = Vec3::Zero();                          ///< the point at the end of the step [m]
-  double depth = 0.0;  ///< maximum depth of the connected part of the cloth that is inside the body [m]
+  double depth = 0.0;  ///< for a point inside: maximum depth of the connected part of the cloth inside the body [m]
 };
 
 }  // namespace drape::sim::contact

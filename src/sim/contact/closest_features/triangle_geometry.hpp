@@ -42,7 +42,8 @@ inline constexpr double insideMargin = 1e-3;
 /// The barycentric coordinates of a point on side k, which runs from corner k (0) to the next corner (1).
 [[nodiscard]] Vec3 onSide(std::size_t k, double along);
 
-/// The unit normal on the front of a triangle; the y axis if the triangle has no area.
+/// The unit normal of a triangle on its front, from which its corners are counter-clockwise; the y axis if the triangle
+/// has no area.
 [[nodiscard]] Vec3 faceNormal(const Corners& corners);
 
 /// The minimum and the maximum of a triangle's coordinates along a direction [m].

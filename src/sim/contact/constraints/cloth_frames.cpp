@@ -19,7 +19,7 @@ void ClothFrames::prepare(const ContactPass& pass) {
       displacementBounds_[v] = std::max(displacementBounds_[v], (frame.predicted[v] - frame.start[v]).norm());
     });
   }
-  // In the frames of bodies that move differently a vertex has different starts; the bound must cover all of them.
+  // In the frames of bodies that move differently a vertex has different starts. The bound must hold for all of them.
   const double apart = pass.bodies.size() > 1 && !pass.atEnd() ? 2.0 : 1.0;
   const double offset = pass.bodies.maxContactOffset();
   for (double& bound : displacementBounds_) {

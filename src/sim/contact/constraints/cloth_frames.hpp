@@ -8,16 +8,20 @@
 
 namespace drape::sim::contact {
 
-/// The cloth in the frames of the near bodies, in which a rigid body stands still, and the displacement bounds of its
-/// vertices, within which contacts and planes are searched.
+/// The cloth in the frames of the near bodies, in which a rigid body stands still. Also the displacement bounds of its
+/// vertices: contacts and planes are searched within these distances from the start of the pass.
 class ClothFrames {
  public:
-  /// Transforms the start and the predicted positions of a pass into the frames, and bounds the displacements.
+  /// Transforms the start and the predicted positions of a pass into the frames. The displacement bound of a vertex is
+  /// its predicted displacement, plus two contact offsets for the corrections, plus the motion of deforming meshes near
+  /// it.
   void prepare(const ContactPass& pass);
 
-  /// Transforms solved positions into the frames, and measures the displacements by the impulses.
+  /// Transforms the solved positions into the frames, and measures the displacements from start to solved.
+  /// @param positions in the world frame [m]
   void setSolved(const ContactPass& pass, const std::vector<Vec3>& positions);
-  /// Reduces the displacement bounds to the displacements by the impulses and a margin for the correction by planes.
+  /// Reduces the displacement bounds to the displacements from start to solved, plus one contact offset for the
+  /// correction by planes.
   void tightenBounds(const NearBodies& bodies);
 
   /// Increases the displacement bounds [m].
@@ -26,7 +30,7 @@ class ClothFrames {
 
   [[nodiscard]] std::span<const Vec3> startIn(const NearBody& body) const { return frames_[body.index].start; }
   [[nodiscard]] std::span<const double> displacementBounds() const { return displacementBounds_; }
-  /// Displacements of the vertices by the impulses, the maximum over the frames [m].
+  /// Displacements of the vertices from start to solved, the maximum over the frames [m].
   [[nodiscard]] std::span<const double> displacements() const { return displacements_; }
 
   /// The cloth with its predicted or its solved positions.
@@ -47,7 +51,7 @@ class ClothFrames {
 
   std::vector<Frame> frames_;               // per near body, and unused ones
   std::vector<double> displacementBounds_;  // of each vertex from the start of the pass [m]
-  std::vector<double> displacements_;       // of each vertex by the impulses [m]
+  std::vector<double> displacements_;       // of each vertex from start to solved [m]
   std::vector<double> deformations_;        // maximum displacement of deforming meshes near each vertex [m]
 };
 

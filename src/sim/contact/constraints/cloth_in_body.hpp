@@ -12,10 +12,10 @@ class Overlap;
 
 /// The cloth in the frame of a body. In this frame a rigid body stands still.
 struct ClothInBody {
-  /// Positions without contact, from which a pass moves the cloth [m]: the start of the step, carried along by the
-  /// body, or the result of the pass before.
+  /// Positions at the beginning of a pass [m]: those at the start of the step, or the result of the pass before. In
+  /// this frame the start of the step has moved along with the body.
   std::span<const Vec3> start;
-  std::span<const Vec3> predicted;             ///< positions at the end of the step, as predicted so far [m]
+  std::span<const Vec3> predicted;             ///< positions at the end of the step, predicted or solved so far [m]
   std::span<const double> displacementBounds;  ///< maximum distance of each vertex from `start` [m]
   std::span<const Triangle> triangles;
   std::span<const OwnedFeatures> owned;

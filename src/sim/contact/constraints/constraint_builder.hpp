@@ -18,15 +18,16 @@ struct ContactOffsets {
   /// Decrease per step of the depth of cloth inside the body [m]; up to four times as much where it is deep.
   double recoveryStep = 0.0;
 
-  /// Contacts are also added if the predicted positions satisfy them, but start or end within this distance beyond the
-  /// contact's own [m].
+  /// Contacts that the predicted positions satisfy are added too, if the point starts or ends within this distance
+  /// beyond the required one [m]. 0: they are not added.
   double listMargin = 0.0;
 
-  /// Decrease per step of this depth [m].
+  /// Decrease per step of the depth of cloth that is as deep as this [m].
   [[nodiscard]] double recoveryStepAt(double depth) const;
 };
 
-/// Creates the constraints of one body in one step. Input is in the body's frame, constraints are in the world frame.
+/// Creates the constraints of one body in one step: contacts (ContactConstraint) and separating planes
+/// (SeparatingPlane). The input is in the body's frame, the constraints are in the world frame at the end of the step.
 class ConstraintBuilder {
  public:
   /// @param index of the body in the step  @param friction factor on the friction of the body [-]
@@ -37,7 +38,9 @@ class ConstraintBuilder {
   [[nodiscard]] const BodyStep& step() const { return step_; }
 
   /// Adds a contact that keeps a point of triangle t at the distance `wanted` from a point of the body [m], unless the
-  /// predicted position satisfies it. If the point is already closer, its distance grows by a bounded step.
+  /// predicted position satisfies it. If the point is closer at the start, its distance need only grow by a bounded
+  /// step.
+  /// @param weights barycentric coordinates of the point in the triangle  @param near the point of the body
   void addContact(const ClothInBody& cloth, std::size_t t, const Vec3& weights, const NearPoint& near, double wanted,
                   Candidates& candidates) const;
 
@@ -47,7 +50,7 @@ class ConstraintBuilder {
   void addPlanes(const ClothInBody& cloth, std::size_t t, const Vec3& normal, double height, double gap,
                  Candidates& candidates) const;
 
-  /// Adds a separating plane for one vertex.
+  /// Adds a separating plane for one vertex. @param height, gap as for addPlanes, with the vertex as the triangle
   void addPlane(int vertex, const Vec3& normal, double height, double gap, Candidates& candidates) const;
 
  private:

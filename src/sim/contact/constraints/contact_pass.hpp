@@ -9,7 +9,7 @@
 
 namespace drape::sim::contact {
 
-/// A pass of body contact: one search and one correction.
+/// A pass of body contact: one search and one correction (BodyContact).
 struct ContactPass {
   const ClothStep& step;
   const PreparedCloth& cloth;
@@ -17,7 +17,7 @@ struct ContactPass {
   const std::vector<Vec3>* previous;  ///< result of the pass before; null in the first, which starts from `step.start`
   Workers& workers;
 
-  /// Whether the pass starts from positions at the end of the step.
+  /// Whether the pass starts from positions at the end of the step, so that bodies no longer move in it.
   [[nodiscard]] bool atEnd() const { return previous != nullptr; }
 };
 

@@ -14,12 +14,14 @@ struct VertexContacts {
   std::vector<int> entered;  ///< indices of the spheres and capsules with cloth inside
 };
 
-/// Finds contacts: on meshes those of vertices; on planes, spheres and capsules all of them, and separating planes.
+/// Finds the contacts of vertices with meshes (MeshSearch), and all contacts and separating planes of planes, spheres
+/// and capsules (PrimitiveSearch).
+/// @param frames with the start and the predicted positions, and the displacement bounds
 [[nodiscard]] VertexContacts findVertexContacts(const ContactPass& pass, const ClothFrames& frames,
                                                 const BodyOverlaps& overlaps);
 
-/// Finds contacts of edges and faces with meshes that remain when the contacts of vertices are satisfied. On surfaces
-/// that are smooth at the scale of the cloth there are none.
+/// Finds the contacts of edges and faces of the cloth with meshes that the solved positions violate. On surfaces that
+/// are smooth at the scale of the cloth there are none, since the contacts of vertices suffice.
 /// @param frames with the solved positions
 [[nodiscard]] std::vector<ContactConstraint> findSharpFeatureContacts(const ContactPass& pass,
                                                                       const ClothFrames& frames,

@@ -14,11 +14,11 @@ namespace drape::sim::contact {
 namespace {
 
 // Ratios to the contact offset [-]:
-constexpr double listedRatio = 2.0;      // distance to a cluster up to which leaves are listed
+constexpr double listedRatio = 2.0;      // leaves are listed up to this distance from a cluster
 constexpr double listMarginRatio = 1.0;  // additional distance in cached lists
-constexpr double knownRatio = 0.15;      // displacement of a cluster up to which its distances are reused
-constexpr double closeRatio = 0.2;       // distance beyond the edge offset at which edges and faces get contacts
-constexpr double fastRatio = 1.5;        // searched distance of a vertex beyond which its result is not cached
+constexpr double knownRatio = 0.15;      // distances are reused up to this displacement of a cluster
+constexpr double closeRatio = 0.2;       // edges and faces get contacts up to this distance beyond the edge offset
+constexpr double fastRatio = 1.5;        // the result of a vertex is cached up to this searched distance
 constexpr double rounding = 1e-9;        // [m]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -34,7 +34,7 @@ struct Part {
   std::vector<More> more;
 };
 
-/// Calls visit(first cluster, last cluster, part) for parts of the clusters, and returns the parts in order.
+/// Calls visit(first cluster, one past the last, part) for parts of the clusters, and returns the parts in order.
 template <typename More, typename Visit>
 std::vector<Part<More>> inParts(const ClothClusters& clusters, Workers& workers, int threads, std::size_t triangles,
                                 Visit&& visit) {
@@ -83,7 +83,8 @@ class MeshSearch::ClusterSearch {
         radius_(listedRatio * builder.offsets().contactOffset) {}
 
   /// Lists the leaves within the radius if the cached list does not cover it. Computes how far the cluster has moved
-  /// since its distances were computed, and starts anew if that is too far.
+  /// since its distances were computed. If that is too far, reduces the distances by it, and takes the present
+  /// positions as the reference.
   void list(std::span<const int> vertices, NearbyLeaves& nearby) const {
     Eigen::AlignedBox3d box;
     double squared = nearby.reference.size() == vertices.size() ? 0.0 : infinity;
@@ -117,13 +118,14 @@ class MeshSearch::ClusterSearch {
     }
   }
 
-  /// The distance up to which the closest point to a vertex is searched [m]. Farther away it does not matter.
+  /// The distance up to which the closest point to a vertex is searched [m]. A point that is farther away cannot become
+  /// a contact.
   [[nodiscard]] double radiusOf(int vertex) const {
     const double radius = cloth_.displacementBounds[vertex] - builder_.offsets().contactOffset;
     return isAmongNearbyLeaves() ? std::max(radius, radius_) : radius;
   }
 
-  /// The closest point of the mesh to a vertex, within its displacement.
+  /// The closest point of the mesh to a vertex, within `radiusOf`.
   NearestMeshPoint nearestTo(int vertex, const NearbyLeaves& nearby, NearbyTriangles& memory) {
     const Vec3& point = vectorAt(cloth_.start, vertex);
     const double radius = radiusOf(vertex);
@@ -164,8 +166,8 @@ class MeshSearch::ClusterSearch {
   double radius_;  // [m]
 };
 
-/// Whether the last search started from the same positions, so that its results are still valid. The contacts at the
-/// end of a step are searched from where those for its substeps were.
+/// Whether the last search started from the same positions, so that its results are still valid: the search at the end
+/// of a contact substep starts from the same positions as that for its list of substep contacts.
 bool MeshSearch::isSearched(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth) {
   const bool cached = !(mesh.mesh.isDeforming() && mesh.atEnd) && cloth.overlap == nullptr;
   const double offset = builder.offsets().contactOffset;
@@ -244,7 +246,7 @@ void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, cons
   }
 }
 
-/// Sets the distances of a cluster's triangles to what is known of them at their present positions.
+/// Sets the distances of a cluster's triangles to the lower bounds that are known for their present positions.
 void MeshSearch::useKnownDistances(std::span<const int> triangles, NearbyLeaves& nearby) {
   nearby.distances.resize(triangles.size(), -infinity);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -314,7 +316,7 @@ void MeshSearch::addVertexContacts(const ConstraintBuilder& builder, const MeshI
 }
 
 /// The leaves that a cluster could reach within its displacement bounds.
-/// @param wider storage, used if the cached list is too short
+/// @param wider storage, used if the cached list does not cover the bounds
 const MeshSearch::NearbyLeaves& MeshSearch::leavesWithinBound(const ConstraintBuilder& builder, const MeshInStep& mesh,
                                                               const ClothInBody& cloth, const ClothClusters& clusters,
                                                               std::size_t cluster, NearbyLeaves& wider) const {

@@ -11,20 +11,24 @@
 
 namespace drape::sim::contact {
 
-/// Finds contacts and separating planes of a cloth with a box or a mesh in one step.
+/// Finds contacts and separating planes of a cloth with a box or a mesh in one pass, in three steps:
 ///
-/// Clusters of the cloth list the leaves of the mesh's tree near them. First each vertex finds its closest point within
-/// its displacement. Contacts of edges and faces are searched after those of vertices have been solved, and planes
-/// after all contacts have been solved, since the displacements are then small.
+/// 1. `findVertexContacts`: each cluster of the cloth lists the leaves of the mesh's tree near it. Each vertex finds
+/// its
+///    closest point of the mesh within its displacement bound.
+/// 2. `findSharpFeatureContacts`, after the contacts of vertices have been solved: contacts of edges and faces.
+/// 3. `findPlanes`, after all contacts have been solved: separating planes. The displacements are then small, so that
+///    most triangles need none.
 ///
 /// On rigid meshes results are cached while a cluster hardly moves in the body's frame. Cached lists of leaves cover a
-/// larger region and are filtered when used. Cached distances are reduced by the displacement since then: they are
-/// lower bounds. A triangle that stays clear of the mesh by them gets no plane, unless a plane of another triangle
-/// moves its vertices; then its planes are requested. On deforming meshes only a search for a list is cached, for the
-/// next search from the same positions. So results do not depend on when something was cached.
+/// larger region and are filtered when used. Cached distances are reduced by the displacement since they were measured,
+/// so they are lower bounds. A triangle that stays clear of the mesh by these bounds gets no plane, unless a plane of
+/// another triangle moves its vertices; then its planes are requested. On deforming meshes only the search for a list
+/// of substep contacts is cached, for the next search from the same positions. So results do not depend on when
+/// something was cached.
 class MeshSearch {
  public:
-  /// Starts a pass: forgets which triangles pierced the mesh.
+  /// Starts a pass: forgets which triangles pierced the mesh, and cached data of another mesh or cloth.
   /// @param mesh identified by its address  @param model a number that identifies the cloth
   void begin(const SearchableMesh& mesh, std::uint64_t model);
 
@@ -38,7 +42,7 @@ class MeshSearch {
   void findSharpFeatureContacts(const ConstraintBuilder& builder, const MeshInStep& mesh, const ClothInBody& cloth,
                                 const ClothClusters& clusters, Workers& workers, int threads, Candidates& candidates);
 
-  /// Adds separating planes to `candidates`, after both.
+  /// Adds separating planes to `candidates`, after the two functions above.
   /// @param cloth its predicted positions are those with all contacts, within the displacement bounds
   /// @param displacements of each vertex from start to predicted [m]
   /// @return true if triangles pierce the mesh that findVertexContacts did not know of; the search must be repeated
@@ -46,12 +50,13 @@ class MeshSearch {
                   const ClothClusters& clusters, std::span<const double> displacements, Workers& workers, int threads,
                   Candidates& candidates);
 
-  /// Whether some of the cloth is known to pierce the mesh in this pass; and the same for each triangle.
+  /// Whether some of the cloth is known to pierce the mesh in this pass.
   [[nodiscard]] bool pierced() const { return !piercings_.empty(); }
+  /// The same for each triangle of the cloth. @param triangles their number
   [[nodiscard]] std::vector<bool> pierces(std::size_t triangles) const;
 
-  /// Requests planes for all triangles with a moved vertex.
-  /// @param moved per vertex, whether it was moved from its predicted position
+  /// Requests planes for all triangles with a moved vertex that findPlanes has skipped.
+  /// @param moved per vertex, whether planes moved it from its solved position
   /// @return true if findPlanes had skipped such a triangle
   bool requestPlanesAround(std::span<const Triangle> triangles, const std::vector<bool>& moved);
   /// Requests planes for all triangles.
@@ -69,9 +74,9 @@ class MeshSearch {
     Eigen::AlignedBox3d covered;  // all leaves that intersect this box are listed
     std::vector<int> leaves;
     BoxList boxes;
-    std::vector<Vec3> reference;    // positions of its vertices when distances were computed [m]
-    std::vector<double> distances;  // lower bounds between its triangles and the mesh then [m]
-    double moved = 0.0;             // maximum displacement since then [m]; infinite: distances are unknown
+    std::vector<Vec3> reference;    // positions of the cluster's vertices when distances were computed [m]
+    std::vector<double> distances;  // lower bounds of the distances of its triangles to the mesh there [m]
+    double moved = 0.0;             // maximum displacement from there [m]; infinite: distances are unknown
 
     void list(const MeshTree& tree, const Eigen::AlignedBox3d& box);
   };
@@ -103,13 +108,13 @@ class MeshSearch {
   std::uint64_t model_ = 0;                // cloth of the cached data
   std::vector<NearbyLeaves> nearby_;       // per cluster
   std::vector<NearestMeshPoint> nearest_;  // per vertex
-  std::vector<NearbyTriangles> near_;      // per vertex: cached triangles for that
+  std::vector<NearbyTriangles> near_;      // per vertex: cached triangles for `nearest_`
   std::vector<double> distances_;          // per triangle: lower bound to the mesh at the start of the pass [m]
   std::vector<Vec3> searched_;             // start positions of the last search of the vertices [m]
-  double searchedOffset_ = 0.0;            // its contact offset [m]
-  std::uint64_t searchedVersion_ = 0;      // of the mesh in it
+  double searchedOffset_ = 0.0;            // contact offset in that search [m]
+  std::uint64_t searchedVersion_ = 0;      // version of the mesh in that search
   std::vector<double> searchedRadius_;     // per vertex: the distance up to which it searched [m]
-  bool samePositions_ = false;             // as in the search before
+  bool samePositions_ = false;             // the present search starts from `searched_`
   std::vector<double> featureGaps_;       // per triangle: lower bound of the distance to features of the mesh there [m]
   std::vector<NearbyFeatures> features_;  // per triangle: cached features of the mesh
   std::vector<Vec3> outwards_;       // per triangle: direction of its widest gap, with which the next search starts

@@ -8,8 +8,8 @@ namespace {
 // Ratios to the contact offset [-]:
 constexpr double edgeOffsetRatio = 0.6;         // distance of edges and faces
 constexpr double minimumSeparationRatio = 0.1;  // minimum separation
-constexpr double recoverySpeed =
-    0.25;  // speed at which overlaps are resolved, up to four times as fast where deep [m/s]
+/// Recovery speed of shallow cloth [m/s]; up to four times as fast where it is deep (ContactOffsets::recoveryStepAt).
+constexpr double recoverySpeed = 0.25;
 
 }  // namespace
 

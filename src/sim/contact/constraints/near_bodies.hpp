@@ -9,7 +9,7 @@
 
 namespace drape::sim::contact {
 
-/// A body that the cloth could reach in a step.
+/// A body that the cloth could reach in a step, with its searches and the distances that contact keeps.
 struct NearBody {
   const BodyStep* step = nullptr;
   int index = 0;                   ///< among the near bodies
@@ -18,7 +18,7 @@ struct NearBody {
   ContactOffsets offsets;
   double friction = 1.0;  ///< factor on the friction of the body [-]
 
-  /// @param atEnd the cloth's start positions belong to the end of the step
+  /// Requires a mesh. @param atEnd the cloth's start positions belong to the end of the step
   [[nodiscard]] MeshInStep meshInStep(bool atEnd) const;
   [[nodiscard]] ConstraintBuilder builder() const { return {*step, index, offsets, friction}; }
 };
@@ -45,6 +45,7 @@ class NearBodies {
   /// The motions of the bodies.
   [[nodiscard]] std::vector<const BodyStep*> steps() const;
   [[nodiscard]] bool haveMeshes() const;
+  /// The largest contact offset [m]; 0 without bodies.
   [[nodiscard]] double maxContactOffset() const;
 
  private:

@@ -5,7 +5,8 @@
 
 namespace drape::sim::contact {
 
-/// Finds contacts and separating planes of a cloth with a plane, a sphere or a capsule in one step.
+/// Finds contacts and separating planes of a cloth with a plane, a sphere or a capsule in one pass. The closest points
+/// have closed forms: on a sphere or a capsule they are those of its segment, moved outwards by the radius.
 class PrimitiveSearch {
  public:
   /// @param index of the body in the step  @param friction factor on the friction of the body [-]
@@ -17,7 +18,7 @@ class PrimitiveSearch {
   /// Signed distance of a position in the body's frame [m]; negative inside.
   [[nodiscard]] double gapAt(const Vec3& position) const;
 
-  /// The solid of a sphere or a capsule.
+  /// The sphere or the capsule as a solid, in the body's frame. Requires one of these.
   [[nodiscard]] CapsuleSolid solid() const { return {core_, radius_}; }
 
  private:
@@ -30,8 +31,8 @@ class PrimitiveSearch {
 
   ConstraintBuilder builder_;
   std::array<Vec3, 2> core_{Vec3::Zero(), Vec3::Zero()};  // segment of a capsule; one point for a sphere [m]
-  double radius_ = 0.0;
-  bool plane_ = false;
+  double radius_ = 0.0;                                   // [m]
+  bool plane_ = false;                                    // the body is a plane
 };
 
 }  // namespace drape::sim::contact

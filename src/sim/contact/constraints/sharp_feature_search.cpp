@@ -8,8 +8,8 @@
 namespace drape::sim::contact {
 namespace {
 
-constexpr double slackRatio = 0.15;       // displacement for which features are remembered, over the contact offset [-]
-constexpr double minStepsInMemory = 3.0;  // number of steps for which a memory must stay valid
+constexpr double slackRatio = 0.15;        // features are cached for this displacement, over the contact offset [-]
+constexpr double minStepsInMemory = 3.0;   // a cached result must be valid for so many steps
 constexpr double positionRounding = 1e-9;  // [m]
 
 }  // namespace
@@ -34,7 +34,7 @@ Vec3 SharpFeatureSearch::outwardNormal() const {
   return first != nullptr && first->normal.dot(normal_) < 0.0 ? Vec3(-normal_) : normal_;
 }
 
-/// Adds the contacts of remembered features; false if the memory is not valid.
+/// Adds the contacts of cached features; false if the cached result is not valid.
 /// @param wanted distance up to which features can get contacts [m]
 /// @param distance set to a lower bound of the distance to the mesh [m]
 bool SharpFeatureSearch::useMemory(const NearbyFeatures& memory, double wanted, double& distance) {
@@ -78,12 +78,12 @@ double SharpFeatureSearch::search(int t, const std::vector<int>& leaves, const B
   if (useMemory(memory, wanted, distance)) {
     return distance;
   }
-  // A memory for more than this step pays only if the triangle moves so little that it stays valid.
+  // To cache more than this step needs pays only if the triangle moves so little that the result stays valid.
   const double slack = slackRatio * offsets.contactOffset;
   const bool slow = rigid && minStepsInMemory * (maxDisplacement - offsets.listMargin) <= slack;
   memory.features.clear();
   memory.at = start_;
-  // The contacts at the end of a step are searched from where those that are listed for its substeps were.
+  // The search at the end of a contact substep starts from the same positions as that for its list of substep contacts.
   const bool usedAgain = slow || offsets.listMargin > 0.0;
   const double far = wanted + (slow ? slack : 0.0);
   memory.validRadius = slow ? slack : usedAgain ? 0.0 : -1.0;
@@ -111,7 +111,7 @@ FaceRegion SharpFeatureSearch::region(double slack) const {
   FaceRegion region{inflated(boxAround(start_), far), normal_, lowestAlong(normal_, start_) - far,
                     highestAlong(normal_, start_) + far, start_[0]};
   if (slack == 0.0) {
-    region.weights = faceWeights_;  // else a point beside the face may lie over it later
+    region.weights = faceWeights_;  // with slack, a point beside the face may lie over it later
   }
   return region;
 }
@@ -128,8 +128,8 @@ void SharpFeatureSearch::computeFaceWeights() {
   }
 }
 
-/// Whether a point lies over the face, by the same arithmetic as `inRegion`. So a point on its border counts or not
-/// whether its feature is remembered or not.
+/// Whether a point lies over the face. The arithmetic is that of `inRegion`, so that the result for a point on the
+/// border does not depend on whether its feature was cached.
 bool SharpFeatureSearch::isOverFace(const Vec3& point) const {
   const Vec3 from = point - start_[0];
   const auto along = [&](const Vec3& weights) {
@@ -140,8 +140,8 @@ bool SharpFeatureSearch::isOverFace(const Vec3& point) const {
   return std::min(second, third) >= 0.0 && second + third <= 1.0;
 }
 
-/// Adds contacts of the vertices and edges that are close, and remembers those that can be after a displacement of
-/// `slack` [m].
+/// Adds contacts of the vertices and edges that are close, and caches those that can be close after a displacement of
+/// the triangle by `slack` [m].
 void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const BoxList& boxes, double slack,
                                         NearbyFeatures& memory) {
   computeFaceWeights();
@@ -165,7 +165,7 @@ void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const Bo
   }
 }
 
-/// Adds the contacts of an edge of the mesh, and remembers it with the sides that are near.
+/// Adds the contacts of an edge of the mesh, and caches it with the sides that are near.
 void SharpFeatureSearch::rememberEdge(const NearbyFeatures::Feature& edge, double far, NearbyFeatures& memory) {
   NearbyFeatures::Feature near = edge;
   const std::uint8_t sides = sidesNear(edge.triangle, edge.at, std::max(far, close_));

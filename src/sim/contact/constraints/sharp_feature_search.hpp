@@ -19,16 +19,17 @@ struct NearbyFeatures {
     std::uint8_t sides = 0;  ///< of an edge: bit mask of the sides of the cloth's triangle near it; 0 for a vertex
   };
 
-  Corners at;                 ///< corners of the triangle then [m]
+  Corners at;                 ///< corners of the triangle in the search [m]
   double validRadius = -1.0;  ///< maximum displacement of the corners for which it is valid [m]; negative: it is not
-  double complete = 0.0;      ///< features up to this distance are known within the valid radius [m]
-  double distance = 0.0;      ///< lower bound of the distance to the mesh then [m]
+  double complete = 0.0;      ///< within the valid radius all features up to this distance are known [m]
+  double distance = 0.0;      ///< lower bound of the distance of the triangle at `at` to the mesh [m]
   std::vector<Feature> features;
 };
 
-/// Finds contacts of one triangle of the cloth with vertices and sharp edges of a mesh: vertices of the mesh with its
-/// face, edges of the mesh with its edges. On surfaces that are smooth at the scale of the cloth there are none; then
-/// the search ends when it finds a plane with a wide enough gap.
+/// Finds contacts of one triangle of the cloth with vertices and sharp edges of a mesh: vertices of the mesh with the
+/// face of the triangle, sharp edges of the mesh with its sides. It first searches a plane with a wide gap between the
+/// triangle and the leaves of the mesh near it (HullGapSearch). On surfaces that are smooth at the scale of the cloth
+/// there is one, and the search ends there. Otherwise it measures the distances of the features in these leaves.
 class SharpFeatureSearch {
  public:
   /// @param close distance below which features get contacts [m]  @param near distance up to which to search [m]
@@ -42,7 +43,8 @@ class SharpFeatureSearch {
         near_(near),
         candidates_(candidates) {}
 
-  /// @param leaves leaves of the mesh's tree, including all near triangle t  @param boxes of these leaves
+  /// Adds the contacts of triangle t.
+  /// @param leaves leaves of the mesh's tree, including all near the triangle  @param boxes of these leaves
   /// @param maxDisplacement of its corners, plus the list margin [m]
   /// @param outwards direction in which the search starts: that of the widest gap found last, or zero; updated
   /// @param memory of this triangle; it only skips work. Unused on deforming meshes.
@@ -75,10 +77,10 @@ class SharpFeatureSearch {
   double near_;
   Candidates& candidates_;
 
-  std::size_t t_ = 0;
-  double featureGap_ = 0.0;  // [m]
-  Corners start_;
-  Vec3 normal_ = Vec3::UnitY();
+  std::size_t t_ = 0;                                            // the triangle
+  double featureGap_ = 0.0;                                      // see featureGap() [m]
+  Corners start_;                                                // its corners at the start of the pass [m]
+  Vec3 normal_ = Vec3::UnitY();                                  // its unit normal
   std::array<Vec3, 2> faceWeights_{Vec3::Zero(), Vec3::Zero()};  // see FaceRegion::weights
   std::vector<std::int32_t> leaves_;                             // near the triangle
   std::vector<InRegion> found_;                                  // features of these leaves
