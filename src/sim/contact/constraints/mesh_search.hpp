@@ -14,8 +14,7 @@ namespace drape::sim::contact {
 /// Finds contacts and separating planes of a cloth with a box or a mesh in one pass, in three steps:
 ///
 /// 1. `findVertexContacts`: each cluster of the cloth lists the leaves of the mesh's tree near it. Each vertex finds
-/// its
-///    closest point of the mesh within its displacement bound.
+///    the closest point of the mesh within its displacement bound.
 /// 2. `findSharpFeatureContacts`, after the contacts of vertices have been solved: contacts of edges and faces.
 /// 3. `findPlanes`, after all contacts have been solved: separating planes. The displacements are then small, so that
 ///    most triangles need none.

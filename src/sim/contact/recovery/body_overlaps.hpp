@@ -10,13 +10,14 @@
 
 namespace drape::sim::contact {
 
-/// The cloth that is inside the near bodies at the start of a pass, and its exits.
+/// The cloth that is inside the near bodies at the start of a pass, and its exits: the surface points through which it
+/// leaves. Vertices inside get contacts at their exits, with which they move out at the recovery speed.
 class BodyOverlaps {
  public:
   void clear();
 
-  /// Finds the cloth inside closed meshes. The first search of a pass tests one vertex of each connected piece. When
-  /// the piercing triangles are known, it classifies each vertex.
+  /// Finds the cloth inside closed meshes. The first search of a pass tests one vertex of each connected piece. If one
+  /// is inside, or in the second search if triangles pierce the mesh, all vertices are classified.
   /// @param first whether this is the first search of the pass
   void find(const ContactPass& pass, const ClothFrames& frames, bool first);
 
@@ -29,12 +30,12 @@ class BodyOverlaps {
   /// The cloth inside a body; null if there is none.
   [[nodiscard]] const Overlap* in(const NearBody& body) const;
 
-  /// Increases the displacement bounds of the vertices inside by their recovery.
+  /// Increases the displacement bounds of the vertices inside by the largest step of recovery.
   void extendBounds(const ContactPass& pass, ClothFrames& frames) const;
 
-  /// Limits the speed of cloth at an overlap. Cloth that has left a body pulls at cloth that is still inside; without a
-  /// limit stretched springs would accelerate it.
-  /// @param predicted positions at the end of the step [m]
+  /// Limits the speed of cloth at an overlap, relative to the body. Cloth that has left a body pulls at cloth that is
+  /// still inside; without a limit stretched springs would accelerate it.
+  /// @param predicted positions at the end of the step, changed [m]
   void limitDisplacements(const ContactPass& pass, const ClothFrames& frames, std::vector<Vec3>& predicted);
   /// Limits the velocities of the same cloth.
   void limitVelocities(double timeStep, ClothState& state) const;

@@ -7,7 +7,7 @@ namespace drape::sim::contact {
 namespace {
 
 constexpr std::size_t maxProbes = 64;            // maximum number of vertices by which directions are compared
-constexpr double improvementRatio = 1.0 - 1e-6;  // maximum ratio to the distance of an earlier direction [-]
+constexpr double improvementRatio = 1.0 - 1e-6;  // shorter than an earlier direction: at most this ratio to it [-]
 constexpr double maxSlope = 3.0;  // maximum change of the distance to the body between neighbours, per edge length [-]
 constexpr double followersPerVertex = 0.5;  // maximum number of followers per vertex inside ...
 constexpr double extraFollowers = 16;       // ... and in addition

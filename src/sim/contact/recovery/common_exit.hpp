@@ -25,12 +25,13 @@ class CommonExit {
              const std::vector<char>& inside)
       : solid_(solid), start_(start), triangles_(triangles), inside_(inside) {}
 
-  /// Sets the vertices that are to leave, and the directions to try, preferred ones first.
+  /// Sets the vertices that must leave, and the directions to try (unit vectors). Of directions with equal distances
+  /// the earlier one is preferred.
   void begin(std::span<const int> vertices, const std::vector<Vec3>& directions);
 
-  /// The exits of all vertices in the direction with the smallest maximum distance, if that is at most `maxDistance`
-  /// [m]; empty if there is none.
-  /// @param follow whether adjacent cloth must be able to follow
+  /// The exits of all vertices in the feasible direction with the smallest maximum distance, if that is less than
+  /// `maxDistance` [m]; empty if there is none.
+  /// @param follow whether adjacent cloth must be able to follow; then its exits are included
   /// @param suits additional condition on the exits in a direction
   [[nodiscard]] std::vector<Exit> find(
       double maxDistance, bool follow,

@@ -40,8 +40,7 @@ void forEachSideThrough(const std::vector<char>& inside, std::span<const Triangl
 /// Elongation of a side whose ends move to these exits [m]; 0 if it is tolerable.
 double tearOf(double length, const NearPoint& a, const NearPoint& b) {
   const double apart = (a.startPoint - b.startPoint).norm();
-  const bool opposite =
-      a.normal.dot(b.normal) < 0.0 && apart > length;  // opposite sides of a limb about as thick as the side is long
+  const bool opposite = a.normal.dot(b.normal) < 0.0 && apart > length;  // the exits are on opposite sides of a limb
   return opposite || apart > tearRatio * length ? apart - length : 0.0;
 }
 

@@ -10,15 +10,16 @@ namespace drape::sim::contact {
 
 /// The part of a cloth that is inside a body at the start of a step, and the exit of each of its vertices.
 ///
-/// Mostly the exit is the closest point of the surface. If these exits would tear neighbours apart, the whole connected
-/// piece leaves in one direction: the shortest of those in which the adjacent cloth can follow. If only a small part
-/// would be torn off, it joins the rest of the piece.
+/// Usually the exit is the closest point of the surface. If these exits would tear neighbours apart, the whole
+/// connected piece leaves in one direction (CommonExit): that with the shortest way out among those in which the
+/// adjacent cloth can follow. If only a small part would be torn off, it leaves with the rest of the piece.
 class Overlap {
  public:
   void clear();
 
   /// Finds the exits of all vertices that are marked as inside.
-  /// @param inside per vertex  @param start positions [m]  @param up preferred of equally short directions
+  /// @param inside per vertex  @param start positions at the start of the pass, in the body's frame [m]
+  /// @param up the preferred one of equally short directions, a unit vector
   void find(Solid& solid, std::vector<char> inside, std::span<const Vec3> start, std::span<const Triangle> triangles,
             const Vec3& up);
 

@@ -16,8 +16,9 @@ struct Passage {
   NearPoint exit;      ///< where it leaves the body
 };
 
-/// A body with an inside, at the start of the pass and in the body's frame. The returned surface points have a negative
-/// gap for points inside, and normals that point outwards.
+/// A body with an inside, at the start of the pass and in the body's frame. The functions return surface points. The
+/// gap of a closest point is its signed distance, negative for points inside, and its normal points outwards. For exits
+/// along a direction the gap is minus the distance to the exit, and the normal is the direction.
 class Solid {
  public:
   Solid() = default;
@@ -28,8 +29,9 @@ class Solid {
   virtual ~Solid() = default;
 
   [[nodiscard]] virtual bool contains(const Vec3& point) = 0;
-  /// The closest surface point of a point inside, and of a point outside.
+  /// The closest surface point of a point inside.
   [[nodiscard]] virtual NearPoint nearestExit(const Vec3& point) = 0;
+  /// The closest surface point of a point outside.
   [[nodiscard]] virtual NearPoint nearestSurface(const Vec3& point) = 0;
   /// The exit from a point inside along a unit vector.
   [[nodiscard]] virtual NearPoint exitAlong(const Vec3& point, const Vec3& direction) = 0;

@@ -76,8 +76,8 @@ bool PlaneSearch::offerWidestGap(const Vec3& along) {
   return true;
 }
 
-/// Tries the plane of the triangle, and the plane normal to the offset from the vertex that protrudes most to the
-/// triangle.
+/// Tries the plane of the triangle, and the plane normal to the offset between the triangle and the vertex of the mesh
+/// that protrudes most towards it.
 bool PlaneSearch::offerOwnPlane() {
   const Vec3 across = (start_[1] - start_[0]).cross(start_[2] - start_[0]);
   const double length = across.norm();
@@ -110,7 +110,8 @@ PlaneSearch::Plane PlaneSearch::planeAlong(const Vec3& normal) const {
   return plane;
 }
 
-/// Whether the triangle is so far above, at its start and predicted positions, that the plane does not restrict it.
+/// Whether the plane separates a part of the mesh and does not restrict the motion: the triangle is far enough above
+/// the part at its start and at its predicted positions.
 bool PlaneSearch::covers(const Plane& plane, double startTop, double endTop) const {
   const double minimumSeparation = builder_.offsets().minimumSeparation;
   return plane.startLow - startTop >= minimumSeparation && plane.predictedLow - endTop >= minimumSeparation;
@@ -140,7 +141,8 @@ bool PlaneSearch::offer(const Vec3& normal) {
   return false;
 }
 
-/// Uses the plane that covers most leaves, and collects in `rest_` the triangles that it does not cover.
+/// Uses the plane that separates most leaves, and collects in `rest_` the triangles of the mesh that it does not
+/// separate.
 void PlaneSearch::coverSome() {
   Plane best;
   std::size_t maxCovered = 0;
@@ -195,7 +197,8 @@ void PlaneSearch::separateRest() {
   }
 }
 
-/// Finds a plane at the closest points of a triangle of the mesh, and covers other triangles with it.
+/// Finds a plane at the closest points of a triangle of the mesh, and uses it for the other triangles that it
+/// separates.
 void PlaneSearch::separateOne(std::size_t first) {
   const int triangle = rest_[first].triangle;
   const Corners at = mesh_.corners(triangle);
@@ -224,7 +227,7 @@ void PlaneSearch::separateOne(std::size_t first) {
   Plane plane = planeAlong(gap.normal);
   plane.cover(plane.startLow - gap.distance, highestAlong(gap.normal, end));
   if (!covers(plane, plane.startTop, plane.endTop)) {
-    // If it restricts the predicted motion, try the plane between both at the end of the step.
+    // This plane restricts the predicted motion. Tries the plane between both at the end of the step.
     Plane other = planeAlong(gapOfTriangles(predicted_, end).normal);
     other.cover(highestAlong(other.normal, at), highestAlong(other.normal, end));
     plane = covers(other, other.startTop, other.endTop) ? other : plane;

@@ -8,7 +8,7 @@
 namespace drape::sim::contact {
 namespace {
 
-constexpr int maxPartialSearches = 6;  // then planes are searched for all triangles, not only for moved ones
+constexpr int maxPartialSearches = 6;  // after these, planes are searched for all triangles, not only for moved ones
 
 /// The displacement of the closest point of a mesh in the body's frame [m], at any distance: a triangle can be stopped
 /// by a part of the mesh that is far from all of its vertices.

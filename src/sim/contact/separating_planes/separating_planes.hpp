@@ -10,21 +10,22 @@
 
 namespace drape::sim::contact {
 
-/// The separating planes of a pass.
+/// The separating planes of a pass: `begin`, `find` and `apply` are called in this order.
 class SeparatingPlanes {
  public:
   void clear() { planes_.clear(); }
 
-  /// Starts with the planes of planes, spheres and capsules, which the search for contacts found.
+  /// Starts with the separating planes of primitive bodies (planes, spheres, capsules), which the search for contacts
+  /// found.
   void begin(std::vector<SeparatingPlane> planes);
 
-  /// Adds the planes of meshes for the motion from the start of the pass to the solved positions. This motion is
-  /// shorter than the predicted one, so fewer triangles need planes.
+  /// Adds the separating planes of meshes for the motion from the start of the pass to the solved positions. This
+  /// motion is shorter than the predicted one, so fewer triangles need planes.
   /// @return true if the cloth pierces a mesh where the search for contacts did not know of it
   bool find(const ContactPass& pass, const ClothFrames& frames, const BodyOverlaps& overlaps);
 
-  /// Moves the solved positions to the permitted side of the planes. Finds the planes of triangles that had none where
-  /// this moves their vertices.
+  /// Moves the solved positions to the permitted side of the planes (SeparatingPlaneFilter). If this moves vertices of
+  /// triangles without planes, finds the planes of these triangles and starts again.
   /// @return number of infeasible vertices
   int apply(const ContactPass& pass, const ClothFrames& frames, const BodyOverlaps& overlaps,
             std::vector<Vec3>& positions);

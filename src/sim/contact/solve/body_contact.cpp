@@ -57,7 +57,7 @@ void BodyContact::resolve(const ClothModel& model, const CommonParameters& param
   Eigen::AlignedBox3d ends = boundsOf(predicted_);
   while (addReachableBodies(step, bodies, state.positions, ends)) {
     runPasses(step, report, state.positions);
-    ends.extend(boundsOf(state.positions));  // there may be other bodies
+    ends.extend(boundsOf(state.positions));  // contact can move the cloth near other bodies
   }
   if (bodies_.empty()) {
     return;
@@ -71,8 +71,8 @@ void BodyContact::resolve(const ClothModel& model, const CommonParameters& param
   }
 }
 
-/// Removes the velocity of vertices towards the planes that moved them. Otherwise vertices that no contact holds would
-/// keep it, and stretch the cloth more in each step.
+/// Removes the velocity of vertices towards the planes that moved them. Otherwise vertices without a contact would keep
+/// this velocity, and stretch the cloth more in each step.
 void BodyContact::removeApproachToPlanes(const ClothStep& step, ClothState& state) const {
   std::vector<Vec3> velocities(state.positions.size(), Vec3::Zero());
   for (const SeparatingPlane& plane : planes()) {

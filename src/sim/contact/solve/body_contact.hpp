@@ -20,9 +20,12 @@
 
 namespace drape::sim::contact {
 
-/// Contact of a cloth with bodies (docs/theory/contact.md).
+/// Contact of a cloth with bodies in a contact substep (docs/theory/contact.md). Input are the positions at its start,
+/// the positions and velocities at its end that a solver predicted without contact, and the motion of the bodies in it.
+/// Result are positions without intersections and velocities without approach.
 ///
-/// Each step is considered in the frame of each body, in which a rigid body stands still. A pass has these stages:
+/// First the broad phase finds the bodies that the cloth could reach (`ReachableBodies`). Passes work in the frame of
+/// each body, in which a rigid body stands still. A pass has these stages:
 ///
 /// 1. Transform the cloth into the frames of the bodies, and bound the displacement of each vertex (`ClothFrames`).
 /// 2. Find the cloth that is inside bodies, and its exits (`BodyOverlaps`).
@@ -33,17 +36,19 @@ namespace drape::sim::contact {
 /// 5. Project the vertices onto the permitted side of the planes of their triangles, so that nothing intersects
 ///    (`SeparatingPlanes::apply`).
 ///
-/// If this moved the cloth far, the constraints no longer fit the bodies (`needsAnotherPass`). Then another pass starts
-/// from the result. The velocities are corrected after the last pass.
+/// If a pass moved the cloth far, the constraints no longer fit the bodies (`needsAnotherPass`). Then another pass
+/// starts from the result, at most four in all. The velocities are corrected after the last pass.
 class BodyContact {
  public:
   /// Corrects positions and velocities of `state`, which a solver predicted from `start`.
+  /// @param bodies their motion in the contact substep  @param start positions at its start [m]
   /// @param points the active contacts are appended
   void resolve(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                const std::vector<BodyStep>& bodies, const std::vector<Vec3>& start, ClothState& state,
                ContactReport& report, std::vector<ContactPoint>& points);
 
-  /// Searches planes again after self-collision has changed the positions of `resolve`, and moves them out of bodies.
+  /// Searches planes again after the guard of self-collision has changed the positions that `resolve` found, and moves
+  /// vertices out of bodies.
   /// @param outside positions outside all bodies at the end of the step [m]
   /// @return whether positions changed
   bool keepOut(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
@@ -96,7 +101,7 @@ class BodyContact {
   NearBodies bodies_;
   ClothFrames frames_;
   BodyOverlaps overlaps_;
-  Candidates candidates_;  // contacts of the present pass
+  Candidates candidates_;  // of the last pass; its planes are in `planes_`
   ContactResponse response_;
   SeparatingPlanes planes_;
   std::vector<Vec3> predicted_;  // positions at the end of the step, without contact [m]

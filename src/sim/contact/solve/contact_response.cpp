@@ -7,7 +7,7 @@ namespace {
 
 constexpr int positionIterations = 6;
 constexpr int velocityIterations = 6;
-constexpr double nearRatio = 0.1;  // distance beyond its own up to which a contact is active, over its own [-]
+constexpr double nearRatio = 0.1;  // a contact is active up to this excess over its required distance, over that [-]
 
 }  // namespace
 

@@ -57,6 +57,7 @@ void ContactSolver::findCoupled() {
   }
 }
 
+/// Solves contact k while all others keep their impulses.
 /// @return whether the impulse has changed
 bool ContactSolver::solveOne(const ContactConstraint& contact, const ContactGoal& goal, std::size_t k,
                              std::span<Vec3> values) {

@@ -17,10 +17,14 @@ struct ContactGoal {
 /// Solves for contact impulses by projected Gauss-Seidel with Coulomb friction: the friction impulse that makes a
 /// contact stick is at most the static coefficient times the normal impulse. If that does not suffice, the contact
 /// slides, and the friction impulse is the kinetic coefficient times the normal impulse, against the slip.
+///
+/// One iteration solves every contact once, one after the other. A contact of one vertex that has no other contact is
+/// exact after the first iteration.
 class ContactSolver {
  public:
-  /// Changes `values`, one per vertex.
-  /// @param inverseMass per vertex, see inverseMassOf [1/kg]; 0: the vertex does not move
+  /// Changes `values` so that they satisfy the goals.
+  /// @param goals one per contact  @param inverseMass per vertex, see inverseMassOf [1/kg]; 0: the vertex does not move
+  /// @param iterations at most  @param values positions [m] or velocities [m/s], one per vertex
   void solve(std::span<const ContactConstraint> contacts, std::span<const ContactGoal> goals,
              std::span<const double> inverseMass, int iterations, std::span<Vec3> values);
 
@@ -49,7 +53,7 @@ class ContactSolver {
   std::vector<Impulse> impulses_;
   std::vector<Point> points_;
   std::vector<int> contactCount_;     // number of contacts per vertex
-  std::vector<std::size_t> coupled_;  // contacts that need several iterations: they share vertices, or have several
+  std::vector<std::size_t> coupled_;  // contacts that need several iterations: of several or shared vertices
 };
 
 }  // namespace drape::sim::contact

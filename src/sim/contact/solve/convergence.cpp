@@ -10,10 +10,10 @@ namespace drape::sim::contact {
 namespace {
 
 // Ratios to the contact offset [-]:
-constexpr double maxMoveRatio = 0.25;      // maximum displacement of vertices
-constexpr double maxGapErrorRatio = 0.05;  // maximum difference between the true gap and that of the contact
+constexpr double maxMoveRatio = 0.25;      // displacement of a vertex that needs no further pass
+constexpr double maxGapErrorRatio = 0.05;  // allowed difference between the distance to the body and the contact's gap
 
-/// Distance of a position in a body's frame to the body at the end of the step [m]. On meshes infinite beyond `maxGap`.
+/// Distance of a position in a body's frame to the body at the end of the step [m]; to a mesh infinite beyond `maxGap`.
 double gapTo(const NearBody& body, const Vec3& position, double maxGap) {
   if (body.mesh == nullptr) {
     return PrimitiveSearch(*body.step, 0, body.offsets).gapAt(position);

@@ -8,9 +8,9 @@
 
 namespace drape::sim::contact {
 
-/// Whether another pass must follow: planes moved vertices far, or impulses moved them so far that the gap of a contact
-/// no longer is the distance to the body.
-/// @param maxCorrection maximum displacement of a vertex by planes [m]
+/// Whether another pass must follow: planes moved vertices far, or impulses moved them so far that the gap along the
+/// normal of a contact is no longer the distance to the body.
+/// @param contacts of the pass  @param maxCorrection maximum displacement of a vertex by planes [m]
 /// @param positions the result of the pass [m]
 [[nodiscard]] bool needsAnotherPass(const ContactPass& pass, std::span<const ContactConstraint> contacts,
                                     const BodyOverlaps& overlaps, double maxCorrection,

@@ -8,16 +8,16 @@
 
 namespace drape::sim::contact {
 
-/// Removes the velocity of vertices towards what moved them.
+/// Removes the velocity of moved vertices towards the obstacle that moved them. The normal of the obstacle is the
+/// direction of the displacement.
 /// @param before positions of the vertices before they were moved to those of `state` [m]
-/// @param obstacleVelocity velocity of what moved a vertex [m/s]
-/// @param spread time over which a displacement may change the velocity [s]: it changes by at most displacement /
-/// spread; without it there is no limit
+/// @param obstacleVelocity velocity of the obstacle that moved a vertex [m/s]
+/// @param spread a velocity changes by at most the displacement divided by this time [s]; empty: without a limit
 void removeApproach(const std::vector<Vec3>& before, const std::function<Vec3(std::size_t vertex)>& obstacleVelocity,
                     std::optional<double> spread, ClothState& state);
 
-/// Limits the velocity of vertices in the direction opposite to their displacement from `before`. The limit is the mean
-/// velocity of the step in that direction.
+/// Limits the velocity of vertices in the direction opposite to their displacement from `before`, which contact can
+/// leave. The limit is the mean velocity of the step in that direction, or 0 if that is negative.
 /// @param before positions of the vertices before they were moved to those of `state` [m]
 /// @param start positions at the start of the step [m]
 /// @param timeStep of the step [s]

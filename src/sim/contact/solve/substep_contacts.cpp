@@ -7,7 +7,7 @@ namespace drape::sim::contact {
 namespace {
 
 // Ratios to the contact offset [-]:
-constexpr double marginRatio = 0.25;    // distance beyond the predicted position within which contacts are listed
+constexpr double marginRatio = 0.25;    // contacts are listed up to this distance beyond the predicted position
 constexpr double restGapRatio = 0.002;  // distance within which a vertex rests on the surface
 
 }  // namespace
