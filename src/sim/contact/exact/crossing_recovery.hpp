@@ -21,8 +21,14 @@ struct EntangledCloth {
 };
 
 /// Moves crossing features apart, at a limited speed, and removes velocities that drive them further into each other.
-/// Each edge moves so that its wrong end passes back through the triangle (wrongEndsOf). Where no end is wrong, it
-/// moves so that the contour becomes shorter at the fastest rate (shorteningRates).
+///
+/// 1. Segments between crossings form contours (contoursOf).
+/// 2. Each edge moves so that its wrong end passes back through the triangle (wrongEndsOf), and the triangle moves in
+///    the opposite direction. If no curve of a contour cuts a part off, they move so that the contour becomes shorter
+///    at the fastest rate (shorteningRates).
+///
+/// Positions change without velocity. Momentum is conserved.
+/// @param state positions and velocities at the end of the step, changed
 void recoverFromCrossings(const EntangledCloth& cloth, ClothState& state);
 
 }  // namespace drape::sim::contact

@@ -18,7 +18,7 @@ struct EdgeCrossing {
 void findCrossings(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, std::span<const Vec3> positions,
                    std::vector<EdgeCrossing>& crossings);
 
-/// Marks the vertices of the features that cross. Contacts and planes between them would keep them intersected.
+/// Marks the vertices of the features that cross. Contacts and planes between these features would keep them crossed.
 /// @param entangled result, one per vertex; empty if nothing crosses
 void markEntangled(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings, std::size_t vertexCount,
                    std::vector<char>& entangled);

@@ -13,22 +13,22 @@ namespace drape::sim::contact {
 namespace {
 
 // In thicknesses:
-constexpr double contactMargin = 0.25;  // excess over the thickness up to which predicted positions count
-constexpr double substepMargin = 0.05;  // the same in substeps, beyond what gravity moves
-constexpr double missedDepth = 0.25;    // violation from which the substeps are repeated with a contact
-constexpr double activeGap = 0.1;       // excess over the thickness up to which velocities are corrected
+constexpr double contactMargin = 0.25;  // pairs whose predicted distance exceeds the thickness by less are contacts
+constexpr double substepMargin = 0.05;  // the same for substep contacts, in addition to the fall by gravity
+constexpr double missedDepth = 0.25;    // the substeps are repeated with a contact that was violated by more
+constexpr double activeGap = 0.1;       // velocities are corrected up to this excess over the required distance
 constexpr double recoveryMargin = 0.1;  // distance at which crossing features count as separate
 constexpr double reachRatio = approachSlack * (1.0 + contactMargin);  // distance up to which pairs are searched
 
 constexpr double separationSpeed = 0.05;  // at which layers that are too close move apart [m/s]
 constexpr int impulseIterations = 10;
 
-/// If patches became invalid in more rounds of the guard, all pairs are checked.
+/// If patches become invalid in more rounds of the guard, all pairs are checked.
 constexpr int maxPatchRounds = 3;
 
-/// Whether so many parts of a strained cloth cross each other that nothing tells which side is wrong, as where noise
-/// was added to its positions. Springs then smooth the cloth within a few steps. Moving crossing parts apart would keep
-/// it crumpled.
+/// Whether so many parts of a strained cloth cross each other that no data tell which side is wrong, as in cloth with
+/// noise in its positions. Springs then smooth the cloth within a few steps. Moving crossing parts apart would keep it
+/// crumpled.
 bool isCrumpled(const ClothModel& model, std::size_t crossings, std::span<const Vec3> positions) {
   constexpr double crossingsPerTriangle = 0.5;
   constexpr double meanStrain = 0.2;
@@ -74,7 +74,7 @@ void ExactSelfContact::findContacts(const ExactStep& step, double margin, double
                    step.start, predicted, workers_, threads, found);
 }
 
-/// The patches that the last step has left, or new ones.
+/// The patches that the last step stored, or new ones.
 SharedFeaturePatches ExactSelfContact::patchesAtStart(const ExactStep& step) {
   const FeatureMesh& mesh = search_.meshOf(step.model);
   const bool known = step.memory != nullptr && step.memory->vertices == step.model.vertexCount() &&
@@ -91,7 +91,7 @@ void ExactSelfContact::findEntangledAt(const ExactStep& step) {
   markEntangled(search_.meshOf(step.model), crossings_, step.start.size(), entangled_);
 }
 
-/// Finds the contacts of the whole step, unless they are known already.
+/// Finds the contacts of the whole step for these predicted positions, unless they are known already.
 void ExactSelfContact::findContactsAtEnd(const ExactStep& step, const std::vector<Vec3>& predicted) {
   if (predicted_ != predicted) {
     contacts_.clear();
@@ -129,7 +129,7 @@ bool ExactSelfContact::addMissedContacts(const ExactStep& step, const std::vecto
   const double allowed = missedDepth * step.contact.thickness;
   std::vector<SubstepContact> violated;
   for (const SubstepContact& contact : contacts_) {
-    // Contacts of substeps do not move apart what is too close.
+    // Substep contacts do not move apart features that are too close at the start.
     const double height = std::min(contact.height, alongNormal(contact, step.start));
     if (height - alongNormal(contact, predicted) > allowed) {
       violated.push_back(contact);

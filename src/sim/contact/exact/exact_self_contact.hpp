@@ -22,24 +22,28 @@
 
 namespace drape::sim::contact {
 
-/// A step of the cloth with exact self-collision.
+/// A contact substep of the cloth with exact self-collision.
 struct ExactStep {
   const ClothModel& model;
   const CommonParameters& parameters;
   const ContactParameters& contact;
   const std::vector<Vec3>& start;                   ///< positions at its start [m]
-  bool hasNoSelfIntersection = false;               ///< whether nothing intersects there for certain, see ClothState
-  std::shared_ptr<const SelfContactMemory> memory;  ///< that of the state there; may be null
+  bool hasNoSelfIntersection = false;               ///< whether certainly nothing intersects at its start
+  std::shared_ptr<const SelfContactMemory> memory;  ///< ClothState::selfContact at its start; may be null
 };
 
-/// Self-collision by pairs of features: vertices with triangles, and edges with edges (docs/theory/contact.md). A step
-/// has these stages:
+/// Self-collision by pairs of features: vertices with triangles, and edges with edges (docs/theory/contact.md). The
+/// input of a step are the positions at its start, and the positions and velocities at its end that a solver predicted.
+/// The result are positions and velocities at its end. If the cloth does not intersect itself at the start, it does not
+/// at the end, unless pins or bodies force it.
 ///
 /// 1. PairSearch lists the pairs that come near each other. It omits pairs of one collision-free patch.
 /// 2. findPairContacts chooses the contacts among them, which keep the thickness of the cloth.
-/// 3. ContactSolver solves for impulses with friction. `auto` resolves the contacts in its substeps before.
-/// 4. PairGuard keeps pairs of different patches from passing through each other, so that nothing intersects. Patches
-///    that are not collision-free at the end of the step are replaced by smaller ones before.
+/// 3. ContactSolver solves for impulses with friction: `resolve`. `auto` has already resolved most contacts in its
+///    substeps.
+/// 4. Cloth that intersects itself at the start moves apart (recoverFromCrossings), as the last part of `resolve`.
+/// 5. After contact with bodies, PairGuard keeps pairs of different patches from passing through each other: `guard`.
+///    Before, patches that are not collision-free at the end of the step are replaced by smaller ones.
 class ExactSelfContact {
  public:
   /// Planes of bodies, and positions that satisfy them.
@@ -55,13 +59,13 @@ class ExactSelfContact {
   /// @param found the contacts are appended
   void findSubstepContacts(const ExactStep& step, const std::vector<Vec3>& ahead, std::vector<SubstepContact>& found);
 
-  /// Finds the contacts that the way to `predicted` [m] violates and that are not in the list of the substeps: forces
-  /// in the substeps moved the features elsewhere than their velocities at the start.
-  /// @param listed those are appended  @returns whether there are any
+  /// Finds the contacts that the motion to `predicted` [m] violates and that are not in the list of the substeps: in
+  /// the substeps, forces moved the features elsewhere than their velocities at the start would have done.
+  /// @param listed contacts of the substeps; the missed ones are appended  @returns whether there are any
   bool addMissedContacts(const ExactStep& step, const std::vector<Vec3>& predicted,
                          std::vector<SubstepContact>& listed);
 
-  /// Corrects the predicted positions and velocities by the impulses of contacts.
+  /// Corrects the predicted positions and velocities by the impulses of contacts, and recovers from crossings.
   /// @param points the active contacts are appended  @returns their number
   int resolve(const ExactStep& step, ClothState& state, std::vector<ContactPoint>& points);
 
@@ -95,7 +99,7 @@ class ExactSelfContact {
   ModelCache<std::vector<double>> inverseMass_;
   ModelCache<std::unique_ptr<CrossingField>> crossingField_;
   std::vector<SubstepContact> contacts_;
-  std::vector<Vec3> predicted_;  // positions at the end that `contacts_` belong to [m]; empty: none
+  std::vector<Vec3> predicted_;  // positions at the end for which `contacts_` were found [m]; empty: none
   std::vector<ContactConstraint> constraints_;
   std::vector<ContactConstraint> active_;
   std::vector<ContactGoal> goals_;
@@ -104,7 +108,7 @@ class ExactSelfContact {
   std::vector<Vec3> fallback_;           // [m]
   std::vector<EdgeCrossing> crossings_;  // at the start
   double pinSpeed_ = 0.0;                // of the fastest pin in the step [m/s]
-  std::vector<char> entangled_;          // vertices of these; empty if there are none
+  std::vector<char> entangled_;          // marks the vertices of `crossings_`; empty if there are none
   Workers workers_;
 };
 

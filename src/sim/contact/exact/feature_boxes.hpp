@@ -14,11 +14,11 @@ namespace drape::sim::contact {
 /// The bounding boxes and patches of the features of one kind, leaf after leaf of a tree, one array per coordinate.
 /// Each leaf is padded to whole vectors by empty boxes.
 struct FeatureBoxes {
-  std::vector<std::int32_t> features;      ///< vertex, edge or triangle; -1: padding
-  std::vector<std::int32_t> patches;       ///< see FeaturePatches
-  std::vector<std::int32_t> patchOfLeaf;   ///< that of all features of a leaf; -1: there is no such patch
-  std::vector<int> begin;                  ///< of each leaf, and the end
-  std::vector<int> count;                  ///< of each leaf, without padding
+  std::vector<std::int32_t> features;      ///< index of the vertex, edge or triangle; -1: padding
+  std::vector<std::int32_t> patches;       ///< patch of each feature, see FeaturePatches
+  std::vector<std::int32_t> patchOfLeaf;   ///< the common patch of all features of a leaf; -1: there is none
+  std::vector<int> begin;                  ///< first feature of each leaf, and one past the last
+  std::vector<int> count;                  ///< number of features of each leaf, without padding
   std::array<std::vector<float>, 3> low;   ///< relative to an origin, rounded down [m]
   std::array<std::vector<float>, 3> high;  ///< rounded up [m]
 };
@@ -53,9 +53,9 @@ struct OverlappingBoxes {
   std::int32_t second = 0;
 };
 
-/// Finds the pairs of a feature of one leaf and a feature of another whose boxes overlap, except pairs of one patch.
-/// For the same boxes and the same leaf, each pair once. The order depends only on the leaves and the patches. Uses the
-/// widest vector instructions of the machine; the result is the same with any.
+/// Finds the pairs of a feature of one leaf and a feature of another whose boxes overlap, except pairs of one patch. If
+/// both are the same boxes and the same leaf, each pair is found once. The order depends only on the leaves and the
+/// patches. Uses the widest vector instructions of the machine; the result is the same with any instruction set.
 /// @param found replaced
 void findOverlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
                   std::vector<OverlappingBoxes>& found);

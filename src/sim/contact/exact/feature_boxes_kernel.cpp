@@ -17,7 +17,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using BoxFloats = hn::CappedTag<float, maxLanes>;
 
-/// Which boxes of a vector from index `at` on overlap box i and are not of its patch.
+/// Which boxes of a vector from index `at` on overlap box i and do not belong to its patch, as a bit mask.
 HWY_INLINE std::uint32_t overlapsOf(const FeatureBoxes& first, int i, const FeatureBoxes& second, int at) {
   const BoxFloats d;
   const hn::RebindToSigned<BoxFloats> di;
@@ -73,7 +73,7 @@ void overlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBox
       }
     });
   } else if (one.patch() >= 0 && other.patch() < 0) {
-    // The inner leaf of one patch skips many features of the outer one.
+    // Features of the outer leaf are skipped if they belong to the one patch of the inner leaf.
     forEachOverlap(other, one, [&](int k, int i) { add(i, k); });
   } else {
     forEachOverlap(one, other, add);

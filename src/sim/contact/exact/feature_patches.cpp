@@ -40,7 +40,7 @@ FeaturePatches labelled(const FeatureMesh& mesh, std::size_t vertices,
 
 }  // namespace
 
-/// Copies positions in float. Offsets keep the digits of cloth far from the origin.
+/// Copies positions in float, relative to the first vertex, so that cloth far from the origin keeps its digits.
 void PatchFinder::setPositions(std::span<const Vec3> positions) {
   positions_.resize(positions.size());
   float size = 0.0F;

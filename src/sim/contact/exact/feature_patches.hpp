@@ -14,7 +14,7 @@ namespace drape::sim::contact {
 /// triangles intersect, so that pairs of its features need no check.
 struct FeaturePatches {
   std::shared_ptr<const CollisionFreePatches> patches;
-  /// The patch of all triangles around a vertex or an edge, and that of a triangle; -1: there is no such patch.
+  /// The common patch of all triangles around a vertex or an edge, and the patch of a triangle; -1: there is none.
   std::vector<int> ofVertex, ofEdge, ofTriangle;
 };
 
@@ -29,8 +29,8 @@ class PatchFinder {
   /// The patches of the features. Equal patches have the same address in successive calls.
   [[nodiscard]] SharedFeaturePatches ofFeatures(const FeatureMesh& mesh, const PatchHistory& history);
 
-  /// Removes the features of patches that are not collision-free at `positions` [m].
-  /// @returns whether there were any
+  /// Removes the features of patches that are not collision-free at `positions` [m], so that their pairs are checked.
+  /// @param patches replaced if there are any  @returns whether there are any
   [[nodiscard]] bool removeInvalid(std::span<const Vec3> positions, SharedFeaturePatches& patches);
 
  private:

@@ -36,16 +36,18 @@ struct IntersectionContours {
 
 [[nodiscard]] IntersectionContours contoursOf(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings);
 
-/// A number per vertex that increases by 1 along each edge that passes to the front of a triangle, decreases by 1 along
-/// each that passes to its back, and is as smooth as possible otherwise. Its mean over each connected piece, weighted
-/// by the masses, is 0. So it is largest in size in the smaller part that a contour cuts off, even if the contour does
-/// not surround the part completely.
+/// A field u on the vertices that increases by 1 along each edge that passes to the front of a triangle, decreases by 1
+/// along each edge that passes to its back, and is as smooth as possible otherwise. It minimises the sum of
+/// (u_b - u_a - j_ab)^2 over all edges ab, where j_ab is the sum of these jumps along the edge. Its mean over each
+/// connected piece, weighted by the masses, is 0. So |u| is largest in the smaller part that a contour cuts off, even
+/// if the contour does not surround the part completely.
 class CrossingField {
  public:
   CrossingField(const FeatureMesh& mesh, std::span<const double> vertexMass);
 
-  /// @param crossingSigns per crossing: 1 if the edge passes from its lower vertex to the front of the triangle, else
-  /// -1
+  /// The field u, one number per vertex.
+  /// @param crossingSigns per crossing: 1 if the edge passes from its lower vertex to the front of the triangle,
+  /// else -1
   [[nodiscard]] Eigen::VectorXd solve(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings,
                                       std::span<const int> crossingSigns) const;
 
@@ -61,9 +63,9 @@ class CrossingField {
                                            const IntersectionContours& contours, const CrossingField& field,
                                            std::span<const Vec3> positions);
 
-/// How fast the contours become shorter if the edge of a crossing moves relative to its triangle, half of the motion
-/// each: the negative gradients of the length [-], one per crossing (Volino and Magnenat-Thalmann 2006, Resolving
-/// Surface Collisions through Intersection Contour Minimization). 0 if the edge lies in the triangle's plane.
+/// How fast the contours become shorter if the edge of a crossing moves relative to its triangle, each by half of the
+/// relative motion: the negative gradients of the length [-], one per crossing (Volino and Magnenat-Thalmann 2006,
+/// Resolving Surface Collisions through Intersection Contour Minimization). 0 if the edge lies in the triangle's plane.
 [[nodiscard]] std::vector<Vec3> shorteningRates(const FeatureMesh& mesh, std::span<const EdgeCrossing> crossings,
                                                 std::span<const Vec3> positions);
 

@@ -11,21 +11,22 @@ namespace drape::sim::contact {
 
 /// A step and the distance up to which pairs matter in it.
 struct PairFilter {
-  std::span<const Vec3> start;  ///< positions [m]
-  std::span<const Vec3> end;    ///< positions [m]
-  double limit = 0.0;           ///< [m]
-  double contactLimit = 0.0;    ///< of measureContactGaps [m]; 0: pairs count that are no contacts too
+  std::span<const Vec3> start;  ///< positions at its start [m]
+  std::span<const Vec3> end;    ///< positions at its end [m]
+  double limit = 0.0;           ///< pairs that stay farther apart do not matter [m]
+  double contactLimit = 0.0;    ///< limit of measureContactGaps [m]; 0: pairs that are no contacts matter too
 };
 
-/// Whether pair i certainly stays farther apart than a limit [m] in the whole step: it does so along one normal, at the
-/// start and at the end.
+/// Whether pair i certainly stays farther apart than a limit [m] in the whole step: along one normal it is farther
+/// apart at the start and at the end, and so in between.
 [[nodiscard]] bool staysApart(const Approach& approach, std::size_t i, double limit);
 
-/// Chooses the pairs of a search that may come closer than a limit: all but those that stay apart (staysApart), or
-/// whose closest points do not come nearer than the limit for contacts, if there is one.
+/// Chooses the pairs of a search that may come closer than the limit of a filter. Without a limit for contacts these
+/// are all pairs except those that stay apart (staysApart). With one, these are all pairs except those whose closest
+/// points do not come nearer than it (measureContactGaps).
 class NearPairs {
  public:
-  /// Chooses among the listed pairs `begin` to `end` - 1. Ascending.
+  /// The indices of the chosen ones among the listed pairs `begin` to `end` - 1, ascending. Valid until the next call.
   [[nodiscard]] std::span<const int> choose(const PairSearch& search, const PairFilter& filter, int begin, int end);
 
  private:

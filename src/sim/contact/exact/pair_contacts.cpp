@@ -8,15 +8,16 @@
 namespace drape::sim::contact {
 namespace {
 
-/// Excess over the thickness within which layers rest on each other, in thicknesses.
+/// Layers rest on each other up to this excess over their required distance, in thicknesses.
 constexpr double restExcess = 0.001;
 
-/// Fraction of the distance at rest that close features may use up before they are in contact [-].
+/// Features that are close at rest are in contact below this fraction of their distance at rest [-].
 constexpr double fractionOfRest = 0.5;
 
-/// Largest sine of the angle between the offset of two edges and the normal of an adjacent face. Edges that are too
-/// close move apart more slowly from a smaller angle on, and not at all from another: the motion increases the angle.
-/// Otherwise it would end the contact, the edges would fall back, and cloth in a sharp fold would never come to rest.
+/// The slant of two edges is the sine of the angle between their offset and the normal of an adjacent face. Above
+/// `maxSlant` they are no contact. Edges that are too close move apart more slowly above `slowingSlant`, and not at all
+/// above `stoppingSlant`, because the motion increases the slant. Otherwise it would end the contact, the edges would
+/// fall back, and cloth in a sharp fold would never come to rest.
 constexpr double maxSlant = 0.3;
 constexpr double slowingSlant = 0.15;
 constexpr double stoppingSlant = 0.25;
@@ -32,7 +33,8 @@ struct StartOfStep {
 };
 
 /// Whether the contact of a vertex with triangle `other` replaces that with `triangle`: `other` is closer than
-/// `distance`, or as close and listed before. A triangle that contains the vertex is closer than any other.
+/// `distance`, or as close and has the lower index. A triangle that contains the vertex counts as closer than any
+/// other.
 bool replaces(const StartOfStep& at, int vertex, int triangle, int other, double distance) {
   if (other == triangle) {
     return false;
@@ -45,7 +47,7 @@ bool replaces(const StartOfStep& at, int vertex, int triangle, int other, double
   return its < distance - tie || (its <= distance + tie && other < triangle);
 }
 
-/// Whether the closest point of a triangle is the closest one of the triangles around it.
+/// Whether the closest point of a triangle to a vertex is also the closest one of the triangles around that point.
 bool isNearestAround(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
   const Triangle& corners = at.mesh.triangles[pair.second];
   std::array<bool, 3> touched{};
@@ -69,8 +71,9 @@ bool isNearestAround(const StartOfStep& at, const FeaturePair& pair, const PairG
   return true;
 }
 
-/// The sine of the angle between the offset from an edge and the normal of an adjacent face, towards the face. If it is
-/// large, a point of the face is closer than the edge. The maximum of the faces; negative: it leads away from all.
+/// The slant of an offset from an edge: the sine of its angle with the normal of an adjacent face, positive towards the
+/// face, the maximum of the faces. If it is large, a point of the face is closer than the edge. If it is negative, the
+/// offset leads away from all faces.
 double slantOf(const StartOfStep& at, int edge, const Vec3& offset) {
   const MeshEdge& ends = at.mesh.edges.edges[edge];
   const Vec3 along = at.start[ends.b] - at.start[ends.a];
@@ -91,7 +94,7 @@ double slantOf(const StartOfStep& at, const FeaturePair& pair, const PairGap& ga
   return std::max(slantOf(at, pair.first, -gap.normal), slantOf(at, pair.second, gap.normal));
 }
 
-/// How fast the features of a contact that are too close move apart, relative to the full speed [-].
+/// The speed at which the features of a contact that are too close move apart, relative to the full speed [-].
 double separationRatio(const StartOfStep& at, const FeaturePair& pair, const PairGap& gap) {
   return pair.edges ? std::clamp((stoppingSlant - slantOf(at, pair, gap)) / (stoppingSlant - slowingSlant), 0.0, 1.0)
                     : 1.0;

@@ -9,7 +9,7 @@
 
 namespace drape::sim::contact {
 
-/// Pairs of features of one kind, vertex and triangle or two edges, as one array for each of their four vertices.
+/// Pairs of features of one kind (vertex and triangle, or two edges), as one array for each of their four vertices.
 class PairLanes {
  public:
   void clear() { size_ = 0; }
@@ -48,19 +48,21 @@ struct Approach {
 };
 
 // The functions below use the widest vector instructions of the machine. Their results can differ by rounding from one
-// instruction set to another, so they only serve to choose pairs for the exact computation.
+// instruction set to another, so they only serve to choose pairs, which are then computed by gapOf and
+// separationInStep.
 
-/// Lower bounds of the distances of pairs, exact but for rounding where they are not near 0 and the pair has no sliver:
-/// the separations along the normals of the closest points [m].
-/// @param edges whether the pairs are of edges  @param distances gets one entry a pair and padding
+/// Computes lower bounds of the distances of pairs [m]: the separations along the normals of the closest points. They
+/// equal the distances, except for rounding, if these are not near 0 and the pair has no sliver.
+/// @param edges whether the pairs are of edges  @param distances the result, one entry a pair and padding
 void measureDistances(bool edges, PairLanes& pairs, const Vec3* positions, std::vector<double>& distances);
 
+/// Computes the separations of pairs at the start and at the end of a step. @param start, end positions [m]
 void measureApproach(bool edges, PairLanes& pairs, const Vec3* start, const Vec3* end, Approach& approach);
 
-/// How near the closest points at the start of a step come: the smaller of their distance then and their distance at
-/// the end along the normal at the start [m]. Infinity for two edges of which a closest point is an end, so that they
-/// are no contact (findPairContacts). 0 where rounding may move the closest points far: edges that are nearly parallel,
-/// slivers.
+/// Computes how near the closest points at the start of a step come [m]: the smaller one of their distance at the start
+/// and their distance at the end along the normal at the start. Infinity if a closest point of two edges is an end, so
+/// that they are no contact (findPairContacts). 0 if rounding may move the closest points far: for edges that are
+/// nearly parallel, and for slivers.
 void measureContactGaps(bool edges, PairLanes& pairs, const Vec3* start, const Vec3* end, std::vector<double>& gaps);
 
 }  // namespace drape::sim::contact

@@ -83,7 +83,7 @@ PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions) {
     const Vec3 nearest = nearestWeights(positions[a], {positions[b], positions[c], positions[d]});
     gap.weights = {1.0, -nearest[0], -nearest[1], -nearest[2]};
   }
-  // Offsets from the first vertex keep the digits of cloth far from the origin.
+  // Offsets from the first vertex, so that cloth far from the origin keeps its digits.
   const Vec3 offset = gap.weights[1] * (positions[b] - positions[a]) + gap.weights[2] * (positions[c] - positions[a]) +
                       gap.weights[3] * (positions[d] - positions[a]);
   gap.distance = offset.norm();

@@ -36,21 +36,21 @@ struct PairGap {
   std::array<double, 4> weights{};  ///< of the vertices; positive for the first feature, negative for the second
 };
 
-/// Slivers are treated as their borders, and nearly parallel edges as parallel ones. So the distance can be slightly
-/// too large; `separationAlong` the normal is a certain lower bound.
+/// Computes the closest points. Slivers are treated as their borders, and nearly parallel edges as parallel ones. So
+/// the distance can be slightly too large; `separationAlong` with the normal is a certain lower bound.
 [[nodiscard]] PairGap gapOf(const PairVertices& vertices, std::span<const Vec3> positions);
 
-/// Slack of comesWithin [-].
+/// The ratio of distances between which the result of comesWithin is not determined [-].
 inline constexpr double approachSlack = 1.1;
 
-/// Whether the features of a pair may come closer than `distance` on straight ways from `start` to `end` [m], by
-/// conservative advancement. False is certain. The result is false if they stay farther apart than `approachSlack`
-/// times `distance`, which must be large against the rounding of the positions.
+/// Whether the features of a pair may come closer than `distance` on straight lines from `start` to `end` [m], by
+/// conservative advancement (Mirtich 1996). False is certain. The result is false if they stay farther apart than
+/// `approachSlack` times `distance`, which must be much larger than the rounding error of the positions.
 [[nodiscard]] bool comesWithin(double distance, const PairVertices& vertices, std::span<const Vec3> start,
                                std::span<const Vec3> end);
 
-/// Upper bound of the rounding error of the distance along a unit normal that `extentsOf` computes from the first
-/// vertex [m].
+/// Upper bound of the rounding error of the distance along a unit normal that `extentsOf` gives with the first vertex
+/// as origin [m].
 [[nodiscard]] double roundingOf(const PairVertices& vertices, std::span<const Vec3> positions);
 
 /// The extents of a pair along a direction, relative to an origin [m].
@@ -62,8 +62,8 @@ struct PairExtents {
 [[nodiscard]] PairExtents extentsOf(const PairVertices& vertices, const Vec3& normal, const Vec3& origin,
                                     std::span<const Vec3> positions);
 
-/// A lower bound, for any rounding, of the distance of the features along a unit normal: of the minimum of the first
-/// minus the maximum of the second [m]. If it is positive, a plane with this normal separates them.
+/// A lower bound, whatever the rounding errors, of the distance of the features along a unit normal: the minimum of the
+/// first minus the maximum of the second [m]. If it is positive, a plane with this normal separates them.
 [[nodiscard]] double separationAlong(const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> positions);
 
 }  // namespace drape::sim::contact

@@ -17,10 +17,10 @@ constexpr int maxSweepRounds = 6;
 constexpr int maxSweepRoundsOfPart = 40;
 constexpr int sweepsOfRound = 8;
 constexpr int maxSearches = 500;         // in a step; then the guard only moves cloth back
-constexpr int maxSweepRoundsInVain = 6;  // in which no fewer pairs are too close than before
+constexpr int maxSweepRoundsInVain = 6;  // rounds in succession that do not reduce the number of pairs too close
 constexpr int maxPlaneRounds = 40;
 constexpr std::array partsOfMotion{4, 16};  // into which a motion is divided that cannot be guarded at once
-constexpr double sweepMargin = 1.1;         // ratio to the separation that sweeps aim at
+constexpr double sweepMargin = 1.1;         // sweeps aim at the required separation times this
 
 std::uint64_t keyOf(const FeaturePair& pair) {
   return (static_cast<std::uint64_t>(pair.first) << 33U) | (static_cast<std::uint64_t>(pair.second) << 1U) |
@@ -119,7 +119,7 @@ void PairGuard::moveApart(const Inputs& inputs, std::span<Vec3> positions) const
 void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
   for (std::size_t i = first; i < guarded_.size(); ++i) {
     const Guarded& pair = guarded_[i];
-    // Turns with the fallback positions.
+    // The normal at the start, unless the pair has turned on the way to its fallback positions.
     const Vec3 normal = separationAlong(pair.inStep.normal, pair.vertices, inputs.fallback) < pair.inStep.separation
                             ? gapOf(pair.vertices, inputs.fallback).normal
                             : pair.inStep.normal;
@@ -158,8 +158,8 @@ bool PairGuard::mayContinue() const {
   return !found_.empty() && searches_ < maxSearches;
 }
 
-/// Moves the features of guarded pairs apart, in rounds of sweeps. In a pinch the sweeps do not converge, and would
-/// throw vertices far away. So if one moves farther than the limit, all go back.
+/// Moves the features of guarded pairs apart, in rounds of sweeps. Where pins or bodies leave no room, the sweeps do
+/// not converge and would move vertices far away. So if a vertex moves farther than the limit, all vertices move back.
 void PairGuard::sweep(const Inputs& inputs, const Limits& limits, PairSearch& search, Workers& workers,
                       std::span<Vec3> positions) {
   if (!find(inputs, search, workers, positions)) {

@@ -24,7 +24,7 @@ constexpr int fewUpdates = 6;
 constexpr int manyUpdates = 24;
 constexpr double marginGrowth = 1.5;
 
-/// Rounding of the listed distances, relative to them [-].
+/// Bound of the relative rounding error of the listed distances [-].
 constexpr double distanceRounding = 1e-6;
 
 }  // namespace
@@ -113,7 +113,7 @@ double PairSearch::measureMoves(std::span<const Vec3> start, std::span<const Vec
   return std::sqrt(outside);
 }
 
-/// Places a box around each vertex's way.
+/// Places a box with a margin around each vertex's path, relative to the mean displacement of the cloth.
 void PairSearch::placeBoxes(std::span<const Vec3> start, std::span<const Vec3> end) {
   const std::size_t count = start.size();
   const Vec3 common = meanDisplacement(start, end);

@@ -17,11 +17,11 @@ namespace drape::sim::contact {
 /// The mean displacement between two sets of positions of the same vertices [m].
 [[nodiscard]] Vec3 meanDisplacement(std::span<const Vec3> from, std::span<const Vec3> to);
 
-/// A bound for each vertex [m], and the largest one of the vertices of each edge and triangle.
+/// A bound for each vertex [m], and the largest bound of the vertices of each edge and triangle.
 struct FeatureBounds {
   std::vector<double> ofVertex, ofEdge, ofTriangle;
 
-  /// Sets the bounds of edges and triangles by those of vertices.
+  /// Computes the bounds of edges and triangles from those of vertices.
   void spread(const FeatureMesh& mesh);
 
   /// The sum of the bounds of both features.
@@ -30,9 +30,10 @@ struct FeatureBounds {
   }
 };
 
-/// Finds the pairs of features of a cloth that can come near each other in a step.
+/// The broad phase of exact self-collision: finds the pairs of features of a cloth that can come near each other in a
+/// step.
 ///
-/// A search places a box around each vertex's way in the step, with a margin. It lists the pairs that can come closer
+/// A search places a box around each vertex's path in the step, with a margin. It lists the pairs that can come closer
 /// than `reach` while all vertices are in their boxes, except pairs of one collision-free patch. The list stays valid
 /// for the same patches while all vertices stay in their boxes, which move with the mean displacement of the cloth.
 /// Pairs of two patches that are not in a valid list stay farther apart than `reach`. So callers that only use pairs
@@ -48,13 +49,13 @@ class PairSearch {
   /// What to search for.
   struct Scope {
     const ClothModel& model;
-    double distance = 0.0;         ///< pairs that come closer than this are listed [m]
-    double reach = 0.0;            ///< that distance of a new search, at least `distance` [m]
+    double distance = 0.0;         ///< the list must contain all pairs that come closer than this [m]
+    double reach = 0.0;            ///< the same for a new search, at least `distance` [m]
     SharedFeaturePatches patches;  ///< null: pairs of all features are listed
     int threads = 1;
   };
 
-  /// Makes the list valid for all vertices on the way from `start` to `end` [m].
+  /// Makes the list valid for the motion of all vertices from `start` to `end` [m].
   void update(const Scope& scope, std::span<const Vec3> start, std::span<const Vec3> end, Workers& workers);
 
   /// The crossings of the cloth, see findCrossings.
@@ -66,7 +67,7 @@ class PairSearch {
   [[nodiscard]] const FeatureMesh& mesh() const { return *mesh_; }
   [[nodiscard]] const std::vector<Listed>& pairs() const { return pairs_; }
 
-  /// A lower bound of a pair's distance on the way of the last `update` [m].
+  /// A lower bound of a pair's distance in the motion of the last `update` [m].
   [[nodiscard]] double minDistance(const Listed& listed) const {
     return static_cast<double>(listed.distance) - moves_.ofPair(listed.pair);
   }
@@ -107,7 +108,7 @@ class PairSearch {
   std::vector<Vec3> halfSizes_;   // of the boxes [m]
   FeatureBounds radii_;           // half diagonals of the boxes [m]
   Vec3 shift_ = Vec3::Zero();     // mean displacement since the search, at the end of the last update [m]
-  FeatureBounds moves_;           // maximum distances from the boxes' centres, on the way of the last update [m]
+  FeatureBounds moves_;           // maximum distances from the boxes' centres, in the motion of the last update [m]
   std::vector<Vec3> low_, high_;  // corners of each vertex's box, extended by half the reach [m]
   std::vector<Listed> pairs_;
   std::vector<Vec3> checked_;  // positions of the last call of crossingsAt [m]

@@ -16,7 +16,8 @@ struct Separation {
   double distance = 0.0;
 };
 
-/// Takes the direction of an axis if the pair is farther apart along it than along the present normal.
+/// Takes the direction of an axis, or its opposite, if the pair is farther apart along it than along the present
+/// normal.
 void offer(const Vec3& axis, const PairVertices& vertices, std::span<const Vec3> positions, Separation& best) {
   const double length = axis.norm();
   if (!(length > 0.0)) {
@@ -31,8 +32,8 @@ void offer(const Vec3& axis, const PairVertices& vertices, std::span<const Vec3>
   }
 }
 
-/// A plane between the features. Where rounding spoils the normal of the closest points, the normals of the faces and
-/// of the planes between sides serve.
+/// Finds a plane between the features. If rounding spoils the normal of the closest points, it tries the normals of the
+/// faces, and those of planes along the sides.
 Separation separationAt(const PairVertices& vertices, std::span<const Vec3> positions) {
   const PairGap gap = gapOf(vertices, positions);
   Separation best{gap.normal, separationAlong(gap.normal, vertices, positions)};

@@ -12,7 +12,7 @@ namespace drape::sim::contact {
 /// A part of the cloth that cannot collide with itself (after Volino and Magnenat-Thalmann 1994, Provot 1997): all its
 /// triangles face one direction, the axis, and the projection of the border along the axis does not intersect itself.
 /// So no projected triangle is flipped, and each point of the plane is covered as often as the border winds around it:
-/// at most once. No two points of the patch lie above each other, whatever its curvature.
+/// at most once. Hence no two points of the patch lie above each other, whatever its curvature.
 struct CollisionFreePatch {
   std::array<float, 3> axis = {0.0F, 0.0F, 1.0F};  ///< unit vector
   int firstCorner = 0;                             ///< its triangles in CollisionFreePatches::corners
@@ -37,7 +37,7 @@ struct CollisionFreePatches {
   [[nodiscard]] int count() const { return static_cast<int>(patches.size()); }
 };
 
-/// The mesh data for a partition.
+/// The data of a cloth's mesh for a partition.
 struct PatchMesh {
   std::vector<Triangle> triangles;
   std::vector<std::array<int, 3>> across;  ///< see trianglesAcross
@@ -53,10 +53,11 @@ class BorderCheck {
   /// Sides that come closer to each other than this may count as touching [m].
   float margin = 0.0F;
 
+  /// @param border vertices of the border in cyclic order  @param count their number
   bool simple(const int* border, int count, const PositionLanes& positions, const std::array<float, 3>& axis);
 
  private:
-  std::vector<float> x_, y_;
+  std::vector<float> x_, y_;  // projected border [m]
 };
 
 /// Partitions a cloth into collision-free patches.
@@ -77,11 +78,11 @@ class PatchGrower {
   /// See BorderCheck; initially 0 [m].
   void setBorderMargin(float margin) { check_.margin = margin; }
 
-  /// @param positions per vertex [m]
+  /// Partitions the whole cloth. @param positions per vertex [m]  @param patches the result
   void grow(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
 
   /// Replaces patches that are no longer valid by new ones, and keeps the others.
-  /// @param valid per old patch
+  /// @param valid per old patch: 1 or 0, see PatchCheck  @param patches the result
   void repair(const PatchMesh& mesh, const PositionLanes& positions, const CollisionFreePatches& old,
               const std::vector<char>& valid, CollisionFreePatches& patches);
 
@@ -101,13 +102,13 @@ class PatchGrower {
   void add(const PatchMesh& mesh, const std::array<float, 3>& axis, CollisionFreePatches& patches);
   static void sortVertices(CollisionFreePatches& patches);
 
-  PositionLanes normals_;        // of the triangles; their lengths are twice the areas [m^2]
-  std::vector<int> owner_;       // by triangle: the attempt that took it, or a negative constant of the source file
-  std::vector<int> orderIndex_;  // by triangle: index in the order of its patch
+  PositionLanes normals_;             // of the triangles; their lengths are twice the areas [m^2]
+  std::vector<int> owner_;            // by triangle: the attempt that took it, or a negative constant (source file)
+  std::vector<int> orderIndex_;       // by triangle: index in the order of its patch
   std::vector<int> attemptOfVertex_;  // by vertex: the last attempt that took one of its triangles
   std::vector<int> order_;            // triangles of the current patch, in the order in which they were taken
   std::vector<int> queue_;
-  std::vector<int> next_;  // by vertex: the next one on the border
+  std::vector<int> next_;  // by vertex: the next vertex on the border
   std::vector<int> border_;
   BorderCheck check_;
   int attempt_ = 0;

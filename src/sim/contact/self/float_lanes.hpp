@@ -45,8 +45,8 @@ inline bool operator<(const VertexPair& x, const VertexPair& y) {
 
 // The functions below use the widest vector instructions of the machine.
 
-/// The bounding box of the displacements of the first `count` positions. Its diagonal bounds the relative displacement
-/// of any two.
+/// The bounding box of the displacements of the first `count` positions from `since` to `positions`. Its diagonal
+/// bounds the relative displacement of any two vertices.
 LaneBox displacementsBetween(const PositionLanes& positions, const PositionLanes& since, int count);
 
 /// Corners of triangles, one array each; ranges begin and end at multiples of `maxLanes`.
@@ -54,12 +54,12 @@ struct CornerLanes {
   std::vector<std::int32_t> a, b, c;
 };
 
-/// Whether the normal n of every triangle of the range is within a cone around a unit vector: n.axis > 0 and
+/// Whether the normal n of every triangle from begin to end - 1 is within a cone around a unit vector: n.axis > 0 and
 /// (n.axis)^2 >= minSquaredCosine n.n.
 bool normalsWithin(const PositionLanes& positions, const CornerLanes& corners, int begin, int end,
                    const std::array<float, 3>& axis, float minSquaredCosine);
 
-/// The normals of all triangles; their lengths are twice the areas [m^2].
+/// Computes the normals of the first `count` triangles; their lengths are twice the areas [m^2].
 void normalsOf(const PositionLanes& positions, const CornerLanes& corners, int count, PositionLanes& normals);
 
 /// Whether a closed polygon in the plane is simple: no two sides touch that are not adjacent.
@@ -67,7 +67,7 @@ void normalsOf(const PositionLanes& positions, const CornerLanes& corners, int c
 /// @param margin sides that come closer to each other than this may count as touching [m]
 bool isSimplePolygon(const float* x, const float* y, int corners, float margin);
 
-/// Distance up to which the response considers pairs, over the thickness: corrections of other pairs may move them
+/// The response considers pairs up to this distance, over the thickness [-]: corrections of other pairs may move them
 /// closer.
 inline constexpr float closeMargin = 1.1F;
 

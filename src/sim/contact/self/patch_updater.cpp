@@ -3,7 +3,7 @@
 namespace drape::sim::contact {
 namespace {
 
-/// All patches are grown anew when repairs have more than doubled their number, plus this.
+/// All patches are grown anew when repairs have made their number larger than twice the grown number plus this.
 constexpr int extraRepairedPatches = 4;
 
 }  // namespace

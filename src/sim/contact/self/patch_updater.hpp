@@ -10,13 +10,13 @@ namespace drape::sim::contact {
 /// Collision-free patches of a moving cloth, and when they were grown.
 struct PatchHistory {
   std::shared_ptr<const CollisionFreePatches> patches;  ///< null: there are none yet
-  int updatesSinceGrowth = 0;                           ///< since all patches were grown anew
-  int patchesGrown = 0;                                 ///< number of patches then
+  int updatesSinceGrowth = 0;                           ///< number of updates since all patches were grown anew
+  int patchesGrown = 0;                                 ///< number of patches right after that
 };
 
-/// Keeps the patches of a moving cloth collision-free. It keeps valid patches and grows invalid ones anew. After
-/// `maxUpdatesPerGrowth` updates it grows all patches anew, since cloth that has become flat needs fewer. It does so
-/// too when repairs have more than doubled the number of patches.
+/// Keeps the patches of a moving cloth collision-free. It keeps valid patches and grows invalid ones anew (a repair).
+/// After `maxUpdatesPerGrowth` updates it grows all patches anew, since cloth that has become flat needs fewer. It also
+/// grows all patches anew when repairs have more than doubled their number.
 class PatchUpdater {
  public:
   /// See BorderCheck; initially 0 [m].

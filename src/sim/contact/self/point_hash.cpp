@@ -7,7 +7,7 @@
 namespace drape::sim::contact {
 namespace {
 
-/// The number of bits for so many different values.
+/// The smallest number of bits that distinguishes so many values.
 int bitsFor(int values) {
   int bits = 0;
   while ((1 << bits) < values) {

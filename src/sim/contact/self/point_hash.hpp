@@ -48,7 +48,7 @@ struct SortedPoints {
   SurfacePoints points;
   std::vector<std::int32_t> begin;   ///< first point of each bucket, and one past the last
   std::vector<std::int32_t> bucket;  ///< of each point
-  std::vector<std::int32_t> other;   ///< bucket of each point in the other grid, to skip pairs that share it
+  std::vector<std::int32_t> other;   ///< bucket of each point in the other grid, to skip pairs that share that one too
 };
 
 /// Appends the pairs of points in the same bucket, but of different patches, that are closer than the square root of
@@ -56,9 +56,9 @@ struct SortedPoints {
 void pairsWithinBuckets(const SortedPoints& sorted, float squaredReach, bool skipSameOtherBucket,
                         std::vector<VertexPair>& pairs);
 
-/// Finds near points by the paper's method (sec. 5.2): mass points are hashed by their cell in two grids of different
-/// cell size, and points in the same bucket are tested against each other. Each collision-free patch has its own
-/// buckets, so that points of the same patch are never tested.
+/// Finds near points by the method of the paper, sec. 5.2 (docs/theory/method.md): points are hashed by their cell in
+/// two grids of different cell size, and points in the same bucket are tested against each other. Each collision-free
+/// patch has its own buckets, so that points of the same patch are never tested.
 ///
 /// Cells of the first grid are `cellsPerReach` times the reach wide. Those of the second are twice as wide and shifted
 /// by half a cell of the first, so that parallel faces of the two grids are at least half a cell apart. So along any

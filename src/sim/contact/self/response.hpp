@@ -24,7 +24,8 @@ struct ColouredPairs {
   }
 };
 
-/// Colours pairs greedily, in linear time. `scratch` is memory for reuse.
+/// Colours pairs greedily, in linear time.
+/// @param vertices number of vertices  @param scratch memory for reuse  @param coloured the result
 void colourPairs(int vertices, const std::vector<VertexPair>& pairs, std::vector<std::uint64_t>& scratch,
                  ColouredPairs& coloured);
 
@@ -44,6 +45,7 @@ struct ContactLanes {
 
 /// Collects the pairs that are closer than `closeMargin` times `thickness` [m], or that have passed each other since
 /// the start of the step. Returns true if one of them was closer than the thickness at the start.
+/// @param positions predicted positions at the end of the step [m]
 /// @param inverseMasses per vertex [1/kg], and a 0 at the end
 bool collectContacts(const ColouredPairs& pairs, const PositionLanes& startPositions, const PositionLanes& positions,
                      const std::vector<float>& inverseMasses, float thickness, ContactLanes& contacts);
@@ -59,7 +61,7 @@ struct Friction {
 float sweepContacts(const Friction& friction, ContactLanes& contacts, std::vector<float>& displacements);
 
 /// Pushes pairs that were too close at the start of the step apart by a fraction of the missing distance.
-/// @param pushOuts like displacements, but without effect on velocities
+/// @param share the fraction [-]  @param pushOuts like `displacements`, but without effect on velocities
 void pushOutContacts(float thickness, float share, const ContactLanes& contacts,
                      const std::vector<float>& displacements, std::vector<float>& pushOuts);
 
@@ -69,11 +71,11 @@ void pushOutContacts(float thickness, float share, const ContactLanes& contacts,
 ///
 ///     n.d >= sqrt(T^2 - l^2)   where |l| < T
 ///
-/// that is, be no closer than T and not have passed each other. Otherwise an impulse along n changes both velocities
-/// according to their masses, and both positions by h times that, as if the impulse were part of the step. Positions
-/// and velocities stay consistent, and the relative motion is only slowed down. Friction opposes the relative motion
-/// normal to n over the step: it stops the motion with at most the static coefficient times the normal impulse,
-/// otherwise it is the kinetic coefficient times that.
+/// So the two vertices are no closer than T and have not passed each other. Otherwise an impulse along n changes both
+/// velocities according to their masses, and both positions by h times these changes, as if the impulse were part of
+/// the step. Positions and velocities stay consistent, and the relative motion is only slowed down. Friction opposes
+/// the relative motion normal to n over the step: it stops the motion if at most the static coefficient times the
+/// normal impulse suffices for that. Otherwise it is the kinetic coefficient times the normal impulse.
 ///
 /// Gauss-Seidel sweeps, colour by colour, find the impulses, until no pair moves by more than `tolerance` times the
 /// thickness, at most `maxSweeps` times. Normal impulses are never negative. Pairs that were too close at the start of
@@ -96,6 +98,7 @@ class SelfResponse {
     float pushOut = SelfResponse::pushOut;  ///< fraction of the missing distance [-]
   };
 
+  /// Corrects the positions and velocities of `state`.
   /// @param pairs that may be too close  @param startPositions, positions at the start of the step, and predicted [m]
   /// @param points the active contacts are appended  @returns their number
   int resolve(const ClothModel& model, const Inputs& inputs, const ColouredPairs& pairs,
@@ -105,11 +108,10 @@ class SelfResponse {
  private:
   [[nodiscard]] int report(const Inputs& inputs, const ClothState& state, std::vector<ContactPoint>& points) const;
 
-  /// Per vertex four numbers: its displacement, zero between steps, and its inverse mass.
   struct Buffers {
     std::vector<float> inverseMasses;  // per vertex [1/kg], then a 0 and padding
-    std::vector<float> displacements;
-    std::vector<float> pushOuts;
+    std::vector<float> displacements;  // per vertex: its displacement [m], zero between steps, and its inverse mass
+    std::vector<float> pushOuts;       // the same
   };
 
   ModelCache<Buffers> buffers_;

@@ -19,14 +19,15 @@ constexpr double minMargin = 0.25;
 constexpr double maxMargin = 0.7;
 constexpr double stepsOfMargin = 4.0;
 
-/// Contacts in substeps, in thicknesses: the distance beyond the predicted one up to which pairs count, and the excess
-/// over the thickness within which they rest.
+/// Substep contacts, in thicknesses: pairs are listed up to `listMargin` beyond the thickness at their predicted
+/// distance. They rest on each other within `restGap` beyond the thickness.
 constexpr double listMargin = 0.05;
 constexpr double restGap = 0.001;
 
 constexpr int maxSearchesPerGrowth = 64;  // see PatchUpdater
 
-/// With more patches than this, points are not culled by the bounding boxes of patches.
+/// With more patches than this, points are not culled by the bounding boxes of patches, since the cost of comparing all
+/// boxes grows with the square of their number.
 constexpr int maxBoxes = 64;
 
 /// Shift of the grids per search, modulo 1: powers of the root of x^4 = x + 1, a low-discrepancy sequence.
@@ -54,7 +55,7 @@ double squaredDistance(const PositionLanes& positions, const VertexPair& pair) {
                              square(positions.z[a], positions.z[b]));
 }
 
-/// States that are not finite are handled elsewhere.
+/// Whether a search is possible. The caller of the step handles states that are not finite.
 bool allFinite(const std::vector<float>& values, std::size_t count) {
   constexpr std::uint32_t exponent = 0x7f800000U;
   std::uint32_t bad = 0;

@@ -19,20 +19,24 @@
 
 namespace drape::sim::contact {
 
-/// The thickness of self-collision [m]: `selfThickness`, or three quarters of the mean rest length of the springs if
-/// that is 0. The point of a right-angled triangle with two legs of length e that is farthest from its corners has the
-/// distance e / sqrt(2) = 0.71 e. With a smaller thickness a vertex can slip through between three others.
+/// The thickness of self-collision by the hash [m]: `selfThickness`, or three quarters of the mean rest length of the
+/// springs if that is 0. The point of a right-angled triangle with two legs of length e that is farthest from its
+/// corners has the distance e / sqrt(2) = 0.71 e from them. With a smaller thickness a vertex can slip through between
+/// three others.
 [[nodiscard]] double selfThicknessOf(const ClothModel& model, const ContactParameters& parameters);
 
-/// Self-collision by the paper's method (sec. 5.2), vertices against vertices: collision-free patches (PatchGrower),
-/// near pairs of different patches by a hash over two grids (PointHash), and a response with thickness and friction
-/// (SelfResponse). docs/theory/contact.md describes its limits.
+/// Self-collision by the method of the paper, sec. 5.2 (docs/theory/method.md), vertices against vertices:
 ///
-/// A search finds pairs within the thickness plus a margin. The list is valid until the relative displacement of two
-/// vertices exceeds the margin. Then the patches are checked, invalid ones are grown anew, and pairs are searched
-/// again. Known pairs are kept while they are within reach. Each search shifts the grids, so that a pair that the grids
-/// separate in one search is found in another. Pairs that are connected at rest never count: the ends of one spring,
-/// and vertices whose rest distance is less than the thickness.
+/// 1. Collision-free patches (PatchUpdater), which cannot collide with themselves.
+/// 2. Near pairs of vertices of different patches, by a hash over two grids (PointHash).
+/// 3. A response with thickness and friction (SelfResponse).
+///
+/// docs/theory/contact.md describes its limits. A search finds pairs within the reach: the thickness plus a margin. The
+/// list is valid until the relative displacement of two vertices exceeds the margin. Then the patches are checked,
+/// invalid ones are grown anew, and pairs are searched again. Known pairs are kept while they are within reach. Each
+/// search shifts the grids, so that a pair that the grids separate in one search is found in another. Vertices that are
+/// connected at rest are never pairs: the ends of one spring, and vertices whose rest distance is less than the
+/// thickness.
 class SelfContact {
  public:
   /// Finds the pairs that can come into contact in a step from `state`, for solvers that resolve contacts in their
@@ -68,14 +72,14 @@ class SelfContact {
   SelfResponse response_;
   PositionLanes positions_, startPositions_;  // at the end and the start of the step [m]
   PositionLanes sorted_;                      // at the end, patch by patch
-  std::vector<LaneBox> boxes_;
-  std::vector<char> near_;
-  std::vector<std::int32_t> inside_;
-  SurfacePoints points_;
-  std::vector<std::int32_t> pointOf_;  // by vertex: index in points_, or -1
+  std::vector<LaneBox> boxes_;                // per patch
+  std::vector<char> near_;                    // by index in `sorted_`: it may be near another patch
+  std::vector<std::int32_t> inside_;          // scratch
+  SurfacePoints points_;                      // the points that the hash compares
+  std::vector<std::int32_t> pointOf_;         // by vertex: index in points_, or -1
   std::vector<VertexPair> found_;
-  std::vector<std::uint64_t> colours_;
-  std::array<std::shared_ptr<SelfContactMemory>, 4> memories_;
+  std::vector<std::uint64_t> colours_;                          // scratch of colourPairs
+  std::array<std::shared_ptr<SelfContactMemory>, 4> memories_;  // for reuse, once no state has them
 };
 
 }  // namespace drape::sim::contact
