@@ -32,7 +32,7 @@ std::span<const Stage> stagesOf(ExplicitScheme scheme) {
 }
 
 /// Number of substeps between two checks for a stop, with one thread. Several threads do not check: if one thread
-/// stopped, the others would wait for it at the barrier for ever.
+/// stopped, the others would wait for it at the barrier without end.
 constexpr int stopCheckInterval = 64;
 
 /// The weight in a substep of a force that acts in the middle one of each `interval` substeps, with the impulse of all
@@ -70,7 +70,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
                                EnergyRequest request) {
   cloth_ = &cloths_.get(model);
   step_ = simd::sliceStepOf<T>(parameters, {});
-  // With a rise as steep as this the lift is that of eq. 20. At the jump it takes a value between those of both sides.
+  // With so steep a slope the lift is that of eq. 20. At the jump it takes a value between those of both sides.
   constexpr double steep = 1e9;
   step_.liftRise = static_cast<T>((plan.fullLift ? steep : 1.0) * kernels::liftRise(parameters.air.density));
   const double substep = parameters.timeStep / plan.substeps;
@@ -288,7 +288,7 @@ void AdaptiveRun<T>::measure(const StepPlan& plan, std::vector<T>& energy, doubl
   team_.arriveAndWait();
 }
 
-/// The same as if springs were not softened. @param energy empty if they are not
+/// The energy that the present state would have with the full stiffness. @param energy empty if no springs are softened
 template <typename T>
 void AdaptiveRun<T>::measureVisible(StepPlan plan, std::vector<T>& energy, const simd::StepShare& share) {
   if (energy.empty()) {

@@ -16,18 +16,19 @@ namespace drape::sim::adaptive {
 
 /// The energy in a step: kinetic, potential, of the clamped springs and of the coarse levels.
 ///
-/// In the middle of the first and the last substep it is 1/2 m v.v' + V(x), from forces that are evaluated anyway. A
-/// stable scheme conserves it, except for the work of damping, air, attachment and contacts. At the ends of the step it
-/// is 1/2 m v.v + V(x), with the full stiffness of the springs unless they are softened. That energy oscillates by up
-/// to (h omega)^2 / 4 of the vibration energy.
+/// In the middle of the first and the last substep it is 1/2 m v.v' + V(x), with v and v' the velocities before and
+/// after the kick at x. It follows from forces that are evaluated anyway. A stable scheme conserves it, except for the
+/// work of damping, air, attachment and contacts. At the ends of the step it is 1/2 m v.v + V(x), with the full
+/// stiffness of the springs unless they are softened. This energy oscillates by up to (h omega)^2 / 4 of the vibration
+/// energy.
 struct StepEnergy {
   double first = 0.0;  ///< in the middle of the first substep [J]
   double last = 0.0;   ///< in the middle of the last substep [J]
   double start = 0.0;  ///< at the start of the step, if requested [J]
   double end = 0.0;    ///< at the end of the step, if requested [J]
   bool ends = false;   ///< `start` and `end` are known
-  /// As `start` and `end`, with the full stiffness of softened springs and without coarse levels, if springs are
-  /// softened [J].
+  /// If springs are softened: as `start` and `end`, with the full stiffness of these springs and without coarse levels
+  /// [J].
   double visibleStart = 0.0;
   double visibleEnd = 0.0;
   double levels = 0.0;             ///< part of `start` in the coarse levels, if `start` was requested [J]
@@ -35,13 +36,15 @@ struct StepEnergy {
   double contactWorkToLast = 0.0;  ///< the same up to the middle of the last substep [J]
 };
 
-/// The ends of a step at which the energy is measured. Each costs a force evaluation.
+/// The ends of a step at which to measure the energy. Each measurement costs a force evaluation.
 struct EnergyRequest {
   bool start = false;
   bool end = false;
 };
 
-/// Takes a step of a cloth by a plan, with vector instructions and in the precision of T.
+/// Takes a step of a cloth by a plan, with vector instructions and in the precision of T. A substep consists of one or
+/// several stages: a kick, which changes velocities by the forces, damping stages if damping is split, the drift of the
+/// positions, and the impulses of contacts (ContactImpulses).
 template <typename T>
 class AdaptiveRun {
  public:

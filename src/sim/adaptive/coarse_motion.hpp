@@ -18,7 +18,7 @@ class CoarseMotion {
   /// @param fine the layout of the cloth that the levels belong to
   CoarseMotion(const std::vector<CoarseLevel>& levels, const ClothModel& model, const simd::SlicedCloth<T>& fine);
 
-  /// Gives the springs of each level the stiffness that is still missing, up to what is stable in a substep.
+  /// Gives the springs of each level the stiffness that the finer levels lack, up to what is stable in a substep.
   /// @param stiffness of the cloth [N/m]  @param missing stiffness that clamping removed [N/m]
   /// @param hOmegaLimit to which the cloth's springs are clamped [-]; each level is clamped to a fraction of it
   /// @param timeStep the substep h [s]

@@ -16,20 +16,20 @@ namespace {
 /// cloth would creep and never come to rest.
 constexpr double converged = 0.001;
 
-/// Maximum number of sweeps over the contacts of an island in a substep. Slow layers on each other need more.
+/// Maximum number of sweeps over the contacts of an island in a substep. Slow layers that lie on each other need more.
 constexpr int maxSweeps = 6;
 constexpr int maxSweepsOfSlow = 60;
 constexpr double slowSpeed = 0.1;  // [m/s]
 
 /// A contact that slips more slowly than this still has the static coefficient. Substeps are so short that rounding and
 /// vibrations of stiff cloth move a vertex at rest by as much as its weight does. With the kinetic coefficient it would
-/// never rest again. Real friction falls to the kinetic one in the same range of speeds (Stribeck's curve). Larger:
-/// cloth begins to slide later.
+/// never come to rest again. The coefficient of real friction falls to the kinetic one in the same range of speeds
+/// (Stribeck's curve). Larger: cloth begins to slide later.
 constexpr double slowSlip = 5e-3;  // [m/s]
 
 /// Maximum ratio of the speed that contact gives a vertex to the speed of the fastest body or pin [-].
 constexpr double speedRatio = 3.0;
-constexpr double harmlessSpeed = 2.0;  // up to which there is no limit [m/s]
+constexpr double harmlessSpeed = 2.0;  // the limit is at least this [m/s]
 
 }  // namespace
 
@@ -219,7 +219,7 @@ void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, 
       applyIsland(islands_[i], time, drift, cloth);
     }
   }
-  // Those of other threads, backwards, since they take them forwards.
+  // The islands of other threads, backwards, since their threads take them forwards.
   for (std::size_t i = islands_.size(); i > 0; --i) {
     if (take(i - 1)) {
       applyIsland(islands_[i - 1], time, drift, cloth);

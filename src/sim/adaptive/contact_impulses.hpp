@@ -19,10 +19,10 @@ namespace drape::sim::adaptive {
 /// the change of velocity times the drift, as if the impulse had acted before the drift. A point that rests on the
 /// surface only loses its approach velocity: a correction of its height would turn rounding into velocity.
 ///
-/// A contact that shares no vertex with another one has an exact solution. All others form islands, which share no free
+/// A contact of one vertex that has no other contact is solved exactly. All others form islands, which share no free
 /// vertex with each other. Projected Gauss-Seidel sweeps solve the contacts of an island together, until they have
 /// converged. They start with the impulses of the substep before, so that few sweeps suffice. An island of slow cloth
-/// in contact with itself gets more, so that it comes to rest.
+/// in contact with itself gets more sweeps, so that it comes to rest.
 template <typename T>
 class ContactImpulses {
  public:
@@ -35,12 +35,15 @@ class ContactImpulses {
   /// Stores the velocities at the start of the step, for the vertices of one thread.
   void start(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share);
 
-  /// The three stages after a kick and a drift. All threads wait for each other before each of them.
+  /// The first of three stages after a kick and a drift: solves the contacts that have an exact solution. All threads
+  /// wait for each other before each stage.
   /// @param time from the start of the step to the end of the drift [s]  @param drift time of the drift [s]
   void applySingle(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
-  /// An island belongs to the thread of its first vertex. A thread that has solved its own takes those that others have
-  /// not begun. Which thread solves an island does not change the result.
+  /// The second stage: solves the islands. An island belongs to the thread of its first vertex. A thread that has
+  /// solved its own islands takes those that others have not begun. Which thread solves an island does not change the
+  /// result.
   void applyCoupled(simd::SlicedCloth<T>& cloth, double time, double drift, const simd::StepShare& share);
+  /// The third stage: adds the work of the impulses.
   void addWork(const simd::StepShare& share);
 
   /// Work of all impulses so far on the cloth [J]: an impulse times the mean of the velocities in the substeps before

@@ -25,7 +25,7 @@ std::uint64_t sumOf(const std::vector<Vec3>& vectors) {
   return vectors.empty() ? 0 : simd::sumOfBits(vectors.front().data(), 3 * vectors.size());
 }
 
-/// Sum of mass times height [kg m]. Four partial sums: a single sum would wait for each addition.
+/// Sum of mass times height [kg m]. Four partial sums, since each addition to a single sum waits for the one before.
 double massTimesHeight(const ClothModel& model, const ClothState& state) {
   constexpr std::size_t lanes = 4;
   std::array<double, lanes> sums{};

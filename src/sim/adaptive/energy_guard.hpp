@@ -19,14 +19,15 @@ namespace drape::sim::adaptive {
 double removeInnerMotion(const ClothModel& model, const std::vector<std::vector<std::size_t>>& freePieces,
                          double energy, ClothState& state);
 
-/// Limits the energy drift of a cloth. It sums two drifts in the memory of the state:
-/// - that of the energy which a stable scheme conserves, from the first to the last substep. If it grows, the step must
-///   be retried. Oscillations do not count;
-/// - that of the visible energy at the ends of steps. It may rise by at most 0.4 % of the reference energy; kinetic
-///   energy above that is removed, from the rates of stretch first. Changes between two steps, by contact, pins or
-///   settings, do not count, but changes of the stiffness of softened springs do.
-/// Where springs are softened, the energy with their full stiffness has a third drift. While that is too large, energy
-/// is removed from the rates of stretch only: the weight stretches soft springs further than the full stiffness allows.
+/// Limits the energy drift of a cloth (docs/theory/auto.md). It sums two drifts in the memory of the state:
+/// - The drift of the energy that a stable scheme conserves, from the first to the last substep. If it grows, the step
+///   must be retried. Oscillations do not count.
+/// - The drift of the visible energy 1/2 m v.v + V(x) at the ends of steps. It may be at most 0.4 % of the reference
+///   energy; kinetic energy above that is removed, from the rates of stretch first. Changes between two steps, by
+///   contact, pins or settings, do not count, but changes of the stiffness of softened springs do.
+/// Where springs are softened, the visible energy with their full stiffness has a third drift. While that is too large,
+/// energy is removed from the rates of stretch only: the weight stretches soft springs further than the full stiffness
+/// would allow.
 class EnergyGuard {
  public:
   /// Prepares for a step from `state`.
@@ -37,9 +38,9 @@ class EnergyGuard {
   /// Whether the energy at the start of the step is known: it is then the energy at the end of the previous step.
   [[nodiscard]] bool isStartEnergyKnown(const StepPlan& plan, const StepMemory& memory) const;
 
-  /// Whether coarse levels store more energy than the weight and the motion of the cloth can have put into them, as
-  /// where crumpled or reflected cloth stretches them. It would go into the softened springs, whose visible energy is
-  /// many times their own. The step should then do without levels.
+  /// Whether coarse levels store more energy than the weight and the motion of the cloth can have put into them, as in
+  /// crumpled or reflected cloth. This energy would go into the softened springs, whose visible energy is many times
+  /// their own. The step should then not use levels.
   /// @param levels energy of the levels at the start [J]
   [[nodiscard]] bool levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels) const;
 

@@ -8,7 +8,8 @@
 
 namespace drape::sim::adaptive {
 
-/// The sum of the numbers of whole slices. One sum per lane: a single sum would wait for each addition.
+/// The sum of the numbers of whole slices. One sum per lane, since each addition to a single sum waits for the one
+/// before.
 template <typename T>
 [[nodiscard]] double sumOfLanes(const std::vector<T>& values) {
   std::array<double, simd::sliceLanes> lanes{};

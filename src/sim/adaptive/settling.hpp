@@ -11,10 +11,10 @@ namespace drape::sim::adaptive {
 
 /// Slows cloth in contact that hardly moves any more, so that it comes to rest and can sleep.
 ///
-/// Friction between yarns stops a real garment within seconds. The linear damping of fabrics does not: a hem swings on,
-/// and changes of contacts excite the cloth again. So cloth in contact loses velocity with the time constant
+/// Friction between yarns stops a real garment within seconds. The linear damping of fabrics does not: a hem continues
+/// to swing, and changes of contacts excite the cloth again. So cloth in contact loses velocity with the time constant
 /// tuning.settlingTime, once its mean displacement in each of the last tuning.settlingIntervals intervals was below the
-/// error tolerance, and no vertex moved much further. The mean position error that this causes is below the tolerance,
+/// error tolerance, and no vertex moved much further. The mean position error that this causes is below the tolerance
 /// too. Only cloth that could sleep settles: no body moves, and no attachment acts.
 ///
 /// Whether settling cloth sleeps depends on its mean displacement (SleepDetection). So a few vertices that creep do not

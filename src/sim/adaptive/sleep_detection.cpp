@@ -189,9 +189,9 @@ bool SleepDetection::canSleep(const ModelData& data, const SleepConditions& cond
   return canBeSupported && isUndisturbed(conditions);
 }
 
-/// A trial: every free piece is displaced a little in the direction of weight and air. It is supported if contact with
-/// bodies blocks the displacement. Cloth that lies on other cloth is not supported: self-collision keeps it moving a
-/// little.
+/// Whether bodies support every piece without pins. A trial displaces the piece a little in the direction of weight and
+/// air. The piece is supported if contact with bodies blocks the displacement. Cloth that lies on other cloth does not
+/// count as supported: self-collision keeps it moving a little.
 bool SleepDetection::isSupported(const ClothModel& model, const ModelData& data, const SleepConditions& conditions,
                                  const ClothState& state) {
   if (data.freePieces.empty()) {

@@ -8,8 +8,8 @@
 
 namespace drape::sim::adaptive {
 
-/// Fills one number a slot and lane: `ofRate(rate)` with the larger rate of the spring's two ends, 0 in lanes without a
-/// spring. Returns the smallest value.
+/// Computes one number for each slot and lane: `ofRate(rate)` with the larger rate of the spring's two ends, 0 in lanes
+/// without a spring. Returns the smallest value of a spring.
 /// @param rates omega_i^2 / k [1/kg], one a vertex of the model in its own order
 template <typename T, typename OfRate>
 double fillSlots(const simd::SlicedCloth<T>& cloth, const std::vector<double>& rates, OfRate&& ofRate,

@@ -6,8 +6,8 @@
 
 namespace drape::sim::adaptive {
 
-/// Steps may cost up to this many times the cost budget without a message: the stability estimate may be off by as
-/// much.
+/// Steps may cost up to this many times the cost budget without a message: the estimate of what stability needs may be
+/// wrong by as much.
 inline constexpr double toleratedCostRatio = 1.6;
 
 /// The choices of the solver `auto` for a step, with statistics.
@@ -17,7 +17,8 @@ struct StepChoice {
   int forceEvaluations = 1;  ///< cost of the step with retries, in evaluations of all springs [-]
   double hOmega = 0.0;       ///< time step times the mesh's largest local frequency [-]
   double costRatio = 0.0;    ///< planned cost over the cost budget of the step [-]
-  /// Of the springs at the median vertex, or of a fabric's stretch, in the softest of several materials [-]; 1: full.
+  /// Stiffness scale of the springs at the median vertex, or of the stretch moduli of a fabric's softest material [-];
+  /// 1: full stiffness.
   double stiffnessScale = 1.0;
   int softestMaterial = 0;         ///< the index of that material, see fabric::TriangleMaterials::list
   double strain = -1.0;            ///< along warp or weft of a fabric with auto.strain [-]; negative: not measured

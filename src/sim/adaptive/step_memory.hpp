@@ -35,10 +35,10 @@ struct StepMemory {
   /// that they have taken [J].
   double stiffeningEnergy = 0.0;
   double visibleEnergy = 0.0;  ///< as `energy`, with the full stiffness of softened springs, without coarse levels [J]
-  double visibleDrift = 0.0;   ///< drift of that energy [J]
+  double visibleDrift = 0.0;   ///< drift of `visibleEnergy` [J]
   int withoutLevels = 0;       ///< number of steps that are still to be taken without coarse levels [-]
-  /// Root mean square of the vertices' displacement in the last step over its duration [m/s], for fabrics. Vibration
-  /// hardly counts.
+  /// Root mean square of the vertices' displacements in the last step, divided by its duration [m/s], for fabrics.
+  /// Vibration hardly contributes.
   double speed = 0.0;
   int doubleSteps = 0;   ///< number of steps that are still to be taken in double, after the energy grew in float [-]
   int everySubstep = 0;  ///< number of steps in which bending and air are still to act in every substep [-]

@@ -142,7 +142,7 @@ double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory
 }
 
 /// Lets bending and air act in one of several substeps where that is accurate, and adds substeps so that their number
-/// is a multiple. Chooses the intervals with the least cost.
+/// is a multiple of these intervals. Chooses the intervals with the least cost.
 StepPlan withSlowForces(StepPlan plan, const ClothModel& model, const LocalRates& rates,
                         const CommonParameters& parameters) {
   if (!model.fabric || plan.scheme != ExplicitScheme::Verlet) {
@@ -200,8 +200,8 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
     if (model.fabric) {
       return unclamped(static_cast<int>(need.preferred));
     }
-    // The step exceeds the budget anyway. So keep a distance from the stability limit, where the energy oscillates less
-    // and fewer steps are retried.
+    // The step exceeds the budget anyway. So the plan keeps a distance from the stability limit: the energy oscillates
+    // less, and fewer steps are retried.
     const StepPlan clamped = minimallyClampedPlan(model, rates, parameters, substeps);
     return clamped.substeps < need.preferred ? clamped : unclamped(static_cast<int>(need.preferred));
   }
@@ -221,7 +221,7 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
 
 }  // namespace
 
-// Independent maxima: with a single one each comparison would wait for the previous one.
+// Independent maxima, since each comparison with a single one waits for the one before.
 double maxCoordinate(const std::vector<Vec3>& positions, const Vec3& origin) {
   constexpr std::size_t lanes = 24;  // whole vectors
   std::array<double, lanes> maxima{};
@@ -269,7 +269,7 @@ double maxEvaluations(const ClothModel& model, const CommonParameters& parameter
 
 bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
   if (model.fabric) {
-    return false;  // its moduli are those of a real material
+    return false;  // the moduli of a fabric are those of a real material
   }
   return options.soften || stableStepsOf(model, parameters, maxDampingNumber(model, parameters)).evaluations >
                                maxEvaluations(model, parameters, options);

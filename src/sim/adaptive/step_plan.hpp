@@ -69,7 +69,8 @@ struct StepPlan {
 [[nodiscard]] double evaluationsInBudget(const ClothModel& model, const CommonParameters& parameters,
                                          const AutoOptions& options);
 
-/// The force evaluations of a step with Verlet at a distance from the stability limit, without damping stages [-].
+/// The force evaluations of a step with Verlet at the preferred distance from the stability limit
+/// (AutoTuning::preferredFraction), without damping stages [-].
 [[nodiscard]] double stableEvaluations(const ClothModel& model, const CommonParameters& parameters);
 
 /// The weight, and the part of the wind's force that counts as load [N].

@@ -23,7 +23,7 @@ double strainByLoad(const fabric::Material& material, const LocalRates& rates, c
 /// Levels from a stiffness to half of it.
 constexpr double levelsOfHalving = 2.0;
 
-/// By how many levels the stiffness may fall while a strain stays below the limit. Negative: it must rise.
+/// The number of levels by which the stiffness may fall while a strain stays below the limit. Negative: it must rise.
 int levelsBelow(double strain, double limit) {
   constexpr double tiny = 1e-12;
   return static_cast<int>(std::floor(levelsOfHalving * std::log2(limit / std::max(strain, tiny))));
@@ -35,12 +35,12 @@ std::vector<int> levelsOf(const std::vector<StretchMemory>& materials) {
   return levels;
 }
 
-/// The strain after tuning.strainForecastTime if it goes on to grow at its present rate [-].
+/// The strain after tuning.strainForecastTime if it continues to grow at its present rate [-].
 double forecastOf(double strain, double earlierStrain, double interval) {
   return strain + std::max(0.0, strain - earlierStrain) / interval * tuning.strainForecastTime;
 }
 
-/// Stores the strain that is left after a rise of the stiffness as imposed.
+/// Stores the strain that remains after a rise of the stiffness as imposed.
 /// @return false if it is too early to know
 bool updateImposedStrain(double limit, double time, bool mayBeImposed, StretchMemory& memory) {
   if (memory.raisedFrom > 0.0 && mayBeImposed && memory.strain <= memory.raisedFrom) {
@@ -56,8 +56,8 @@ bool updateImposedStrain(double limit, double time, bool mayBeImposed, StretchMe
   return true;
 }
 
-/// By how many levels the stiffness of a material may fall so that the strain stays below the limit for long enough.
-/// Raises the stiffness if the strain exceeds the limit or soon will.
+/// The number of levels by which the stiffness of a material may fall, 0 if the strain has not allowed a lower
+/// stiffness for long enough. Raises the stiffness if the strain exceeds the limit or soon will.
 /// @param forecast of memory.strain [-]
 int raiseOrAllowFall(double limit, double time, double forecast, bool mayBeImposed, StretchMemory& memory) {
   if (!updateImposedStrain(limit, time, mayBeImposed, memory)) {

@@ -29,16 +29,16 @@ struct StretchConditions {
 /// The weight of a garment stretches woven fabric by less than 0.1 %, which is invisible. But the stretch stiffness
 /// decides how short the substeps are. So the stretch stiffness is lowered as far as the cost budget needs, and only
 /// while the strain along warp and weft stays below AutoOptions::strainLimit. Shear, bending and mass keep their
-/// values. An exception are the few smallest triangles: the limit on their stiffness is tighter than without a strain
+/// values. The few smallest triangles are an exception: the limit on their stiffness is tighter than without a strain
 /// limit (fabric::withTighterRateLimit).
 ///
 /// Each material has its own stiffness, because a soft knit may be strained beyond the limit beside a woven fabric that
 /// is not. Only materials that shorten the substeps become softer.
 ///
-/// The strain under weight and wind is estimated for the first step, as of loads that act suddenly. Later steps measure
-/// the strain, which contact, the attachment and inertia also cause. The stiffness rises as soon as the strain exceeds
-/// the limit, or would soon exceed it at its present rate. It falls after a time in which the strain stayed so small
-/// that softer cloth would meet the limit too. A body can impose strain, for example one that is wider than the
+/// For the first step the strain under weight and wind is estimated, as for loads that act suddenly. Later steps
+/// measure the strain, which contact, the attachment and inertia also cause. The stiffness rises as soon as the strain
+/// exceeds the limit, or would soon exceed it at its present rate. It falls after a time in which the strain stayed so
+/// small that softer cloth would meet the limit too. A body can impose strain, for example one that is wider than the
 /// garment. A higher stiffness does not reduce imposed strain, so it does not count. The stiffness of cloth that sleeps
 /// does not change, and that of cloth that settles does not fall, which would move it again.
 class StretchChoice {

@@ -12,12 +12,13 @@ namespace drape::sim {
 /// it for cloth with a fabric.
 class AssembledRun {
  public:
-  /// Steps of the one-iteration method with `jacobi.sweeps` block-Jacobi sweeps, as SlicedRun::oneIteration does for
-  /// springs. `weights` of Chebyshev's acceleration, one a sweep, may be empty.
+  /// Takes `count` steps of the one-iteration method with `jacobi.sweeps` block-Jacobi sweeps, as
+  /// SlicedRun::oneIteration does for springs.
+  /// @param weights of Chebyshev's acceleration, one a sweep; empty: plain sweeps
   void oneIteration(const ClothModel& model, const CommonParameters& parameters, const simd::JacobiOptions& jacobi,
                     const StepInputs& inputs, int count, const std::vector<double>& weights, ClothState& state);
 
-  /// Steps with conjugate gradients, as ConjugateGradientsRun::steps for springs.
+  /// Takes `count` steps with conjugate gradients, as ConjugateGradientsRun::steps does for springs.
   StepReport conjugateGradients(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                 int count, ClothState& state);
 

@@ -33,8 +33,8 @@ bool estimateIsDue(int steps) {
 }
 
 /// Whether to estimate the error of a step. If stability needs more than the budget, the estimate cannot change the
-/// plan, so the first steps, which are slow anyway, do without. If the tolerance is far out of reach of the budget, the
-/// estimate can change little, so some of the first steps do without.
+/// plan, so the first steps, which are slow anyway, are not estimated. If the tolerance needs far more than the budget,
+/// the estimate can change little, so some of the first steps are not estimated.
 bool estimatesError(const adaptive::StepChoice& choice, double budgetedEvaluations,
                     const adaptive::StepMemory& memory) {
   const bool unreachable = memory.steps > 0 && memory.steps < adaptive::tuning.earlyEstimateEnd &&
@@ -58,8 +58,8 @@ double speedBetween(const std::vector<Vec3>& before, const std::vector<Vec3>& af
 /// 2. AdaptiveRun takes the step;
 /// 3. the energy guard compares the energy of the first and the last substep. If it grew by more than external work
 ///    explains, the step is retried with a safer plan, up to three times, and then taken in parts;
-/// 4. now and then the step is also taken with twice the substeps. The difference estimates the error, which gives the
-///    number of force evaluations for the tolerance. It falls by at most a factor of two at a time.
+/// 4. some steps are also taken with twice the substeps (estimateIsDue). The difference estimates the error, which
+///    gives the number of force evaluations for the tolerance. This number falls by at most a factor of two at a time.
 /// No clock is read, and the memory is part of the state: the same arguments give the same step.
 template <typename T>
 class AdaptiveStep {
@@ -231,8 +231,9 @@ class AdaptiveStep {
   }
 
   /// An upper bound of the work of the wind in the last step [J]. In the frame of the wind, air only takes energy. So
-  /// its work on free cloth is at most the wind times the impulse of the air, which is the change of momentum less that
-  /// by gravity. Pins, contacts and an attachment change the momentum too; then the bound follows from the wind alone.
+  /// its work on free cloth is at most the wind's velocity times the impulse of the air, which is the change of
+  /// momentum less that by gravity. Pins, contacts and an attachment change the momentum too; then the bound is
+  /// maxWindWork.
   [[nodiscard]] double windWork(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                 const StepInputs& inputs, const ClothState& state) {
     const double largest = adaptive::maxWindWork(rates, parameters);
@@ -260,8 +261,9 @@ class AdaptiveStep {
     return inputs.attachment->maxForce * attachedPointMotion(corners, state, after_).norm();
   }
 
-  /// An upper bound of the work of moving pins in the last step [J]: that of the larger one of the forces at its ends,
-  /// and of the force m omega v / 2 with which a row of vertices resists a sudden velocity.
+  /// An upper bound of the work of moving pins in the last step [J]: the work of the larger one of the forces at the
+  /// two ends of the step, plus that of the force m omega v / 2 with which a row of vertices resists a sudden velocity
+  /// v.
   [[nodiscard]] double pinWork(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
     if (inputs.movedPins == nullptr) {
@@ -310,7 +312,7 @@ class AdaptiveStep {
                                 energyOf(model, parameters, state).total() - allowed, state);
   }
 
-  /// The same step with twice the substeps, into `finer_`.
+  /// Takes the same step with twice the substeps, into `finer_`.
   void takeFinerStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                      const StepInputs& inputs, adaptive::StepPlan plan, const ClothState& state,
                      adaptive::StepChoice& choice) {
@@ -494,7 +496,7 @@ bool limitsLift(const ClothModel& model, const AirParameters& air) {
   return !actsAsPlate(model, air) && air.lift > 0.0 && air.density > 0.0;
 }
 
-/// One warning, the most important one.
+/// The most important warning, if there are any.
 std::optional<SolverWarning> autoWarning(const ClothModel& model, const StepParameters& parameters) {
   std::optional<SolverWarning> warning = costWarning(model, parameters);
   if (!warning && limitsLift(model, parameters.air)) {

@@ -43,11 +43,12 @@ std::vector<double> weightsOfSweeps(const StepParameters& parameters) {
 ///     x_(k+1) = omega_(k+1) (B(x_k) - x_(k-1)) + x_(k-1)
 ///     omega_1 = 1,  omega_2 = 2 / (2 - rho^2),  omega_(k+1) = 4 / (4 - rho^2 omega_k)
 ///
-/// The start is p_i = h W_ii^-1 f~_i as in one_iteration. Its error in a mode of the Jacobi eigenvalue mu is mu, and n
-/// iterations multiply it by T_n. For odd n the product is an even polynomial of mu. For even n it would be odd: it
-/// approaches -1 as mu does, which doubles the answer, and stiff cloth would oscillate, as with an even number of plain
-/// sweeps. So for even n the start counts as the first iteration, followed by one plain sweep and n - 2 weighted ones:
-/// mu^2 T_(n-2). Both polynomials vanish at mu = 0, so the error vanishes as the step goes to zero.
+/// The start is p_i = h W_ii^-1 f~_i as in one_iteration. Its relative error in a mode of the Jacobi eigenvalue mu is
+/// mu, and n iterations multiply it by Chebyshev's polynomial T_n of mu / rho, divided by T_n(1 / rho). For odd n the
+/// product is an even polynomial of mu. For even n it would be odd: it would approach -1 as mu does, which doubles the
+/// velocity change, and stiff cloth would oscillate, as with an even number of plain sweeps. So for even n the start
+/// counts as the first iteration, followed by one plain sweep and n - 2 weighted ones, with the error mu^2 T_(n-2).
+/// Both polynomials vanish at mu = 0, so the error vanishes as the step goes to zero.
 class ChebyshevSolver final : public BatchSolver {
  public:
   /// The sweeps are those of the one-iteration method with weights. A plain sweep has weight 1.

@@ -19,23 +19,25 @@ namespace drape::sim {
 /// |         | another basis                                                                        |         |
 /// | kappa   | bending: the curvature of the triangle, three vectors, linear in the positions       | 1/m     |
 /// | K, A D  | inverse compliance of either, see MembraneTriangle and bendingMatrix                 |         |
-/// | p_i     | what the membrane of one triangle has moved vertex i by so far in the step, times    | kg m    |
+/// | p_i     | displacement of vertex i by the membrane of one triangle so far in the step, times   | kg m    |
 /// |         | the mass                                                                             |         |
 /// | Lambda  | multipliers of a block, -h^2 times tensions or moments at the solution               |         |
 ///
-/// Bending is linear. So its block is eq. 18 of the paper for three constraints, with a constant matrix.
+/// The curvature is linear in the positions. So its block is eq. 18 of their paper for three constraints, with a
+/// constant matrix.
 ///
-/// The membrane is not linear. The paper sums up corrections along the directions of different iterations, and neglects
-/// the change of the direction and the geometric stiffness (sec. 4). Then the limit of many iterations is not the
-/// backward-Euler step where triangles turn. Here each block keeps p, and replaces it: with H = M + h^2 times the
-/// geometric stiffness of tensile stress, for the three corners,
+/// The sides are not linear. Their paper sums up corrections along the gradients of different iterations, and neglects
+/// the change of the gradient and the geometric stiffness (sec. 4). Then the limit of many iterations is not the
+/// backward-Euler step where triangles turn. Here each block stores p, and replaces it in each iteration: with H = M +
+/// h^2 times the geometric stiffness of tensile stress, for the three corners,
 ///
 ///     (I + h^2 K G^T H^-1 G) Lambda = -h^2 t + h^2 K G^T H^-1 p,   dx = H^-1 (G Lambda - p),   p += M dx
 ///
 /// with t the tensions and G the gradient of C at the present positions. This is a Newton step on the energy of the one
-/// triangle plus the inertia of its corners. In the first iteration p is zero and, without stress, H = M: eq. 18. At
-/// the limit G Lambda = p, so x = y - h^2 M^-1 grad E(x): the backward-Euler step. If the step would overshoot the
-/// minimum along its direction by more than its length, as in triangles that have collapsed, it is halved.
+/// triangle plus the inertia of its corners. In the first iteration p is zero and, without stress, H = M: eq. 18. In
+/// the limit G Lambda = p, so x = y - h^2 M^-1 grad E(x), with y the predicted positions and E the energy: the
+/// backward-Euler step. If dx would overshoot the minimum along its direction by more than its length, as in triangles
+/// that have collapsed, it is halved.
 class FabricConstraints {
  public:
   /// @param model must have a fabric and outlive this

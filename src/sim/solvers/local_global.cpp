@@ -124,7 +124,7 @@ class LocalGlobalSolver final : public Solver {
   DiagonalChange attachment_;
 };
 
-/// Below the limit the position error is up to three times that of the converged step
+/// Below the limit on (h omega)^2 the position error is up to three times that of the converged step
 /// (docs/experiments/2026-11-22-solver-comparison.md).
 std::optional<SolverWarning> localGlobalWarning(const ClothModel& model, const StepParameters& parameters) {
   constexpr double perIteration = 10.0;  // limit of (h omega)^2 [-]

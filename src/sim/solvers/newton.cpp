@@ -100,7 +100,7 @@ class NewtonSolver final : public Solver {
   std::vector<Vec3> trial_;       // [m/s]
 };
 
-/// Given where a step takes tens of milliseconds or more.
+/// The warning is given if a step takes tens of milliseconds or more.
 std::optional<SolverWarning> newtonWarning(const ClothModel& model, const StepParameters& /*parameters*/) {
   constexpr int maxInteractive = 1000;  // vertices
   if (model.vertexCount() <= maxInteractive) {

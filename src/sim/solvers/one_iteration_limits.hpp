@@ -13,10 +13,10 @@ namespace drape::sim::solvers {
 ///     q = (h omega)^2 (n h)^2 (g / L) / sweeps
 ///
 /// n is the number of vertices along a side and L the side of a square cloth with as many vertices and the same area. A
-/// falling sheet accelerates with its mass, but is stopped with the inertia h^2 k. Tension travels one spring in a
-/// step, so the farthest vertex falls for the time n h, by about (n h)^2 g / L of the side. The record
+/// falling sheet accelerates according to its mass, but springs stop it with the inertia h^2 k. Tension travels one
+/// spring in a step, so the farthest vertex falls for the time n h, by about (n h)^2 g / L of the side. The record
 /// docs/experiments/2026-11-22-solver-comparison.md has the energies for a range of q. Meshes with an uneven rest shape
-/// gain far less energy; for them the number is too pessimistic.
+/// gain far less energy; for them the number is too large.
 [[nodiscard]] double energyGainNumber(const ClothModel& model, const StepParameters& parameters);
 
 /// The warning of the one-iteration method, if there is one. In this order, with the limits of

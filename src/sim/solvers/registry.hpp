@@ -4,8 +4,8 @@
 
 #include <array>
 
-/// All solvers. Each has a function that describes it, defined in the file of its name, and an entry in the list. A new
-/// solver needs no other registration.
+/// All solvers. Each has a function that describes it (SolverInfo), defined in the file of its name (`adaptive` in
+/// auto.cpp), and an entry in the list. A new solver needs no other registration.
 namespace drape::sim::solvers {
 
 SolverInfo oneIteration();

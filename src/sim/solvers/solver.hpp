@@ -22,7 +22,7 @@ struct StepReport {
   double residual = 0.0;                ///< relative residual of the last solve [-]; 0 if it is not computed
   bool converged = true;                ///< false if a solve ended above its tolerance
   contact::ContactReport contact = {};  ///< contacts of the step
-  double contactWork = 0.0;             ///< of contacts that the solver resolved in its substeps [J]
+  double contactWork = 0.0;             ///< work of the contacts that the solver resolved in its substeps [J]
   double settlingWork = 0.0;            ///< energy change by adaptive::settle [J]
   std::optional<adaptive::StepChoice> choice = {};  ///< of the solver `auto`
 

@@ -29,7 +29,7 @@ namespace {
 /// of the step, as in the other methods (the paper scales the stiffness instead).
 ///
 /// The sweeps start from y (inertia). The paper's adaptive start needs the velocity of the previous step, which the
-/// state does not contain. The disadvantage: cloth at rest first falls in every step and is then lifted again.
+/// state does not contain. The disadvantage is that cloth at rest first falls in every step and is then lifted again.
 ///
 /// A spectral radius rho > 0 accelerates the sweeps as in the paper (after Wang 2015): after sweep n x = w (x_swept -
 /// x_{n-2}) + x_{n-2}, with w_1 = 1, w_2 = 2 / (2 - rho^2), w_n = 4 / (4 - rho^2 w_{n-1}). See overshoots() for its
@@ -141,8 +141,8 @@ class VbdSolver final : public Solver {
         solve(h * h * local.stiffness + isotropic * Mat3::Identity(), residual, isotropic + h * h * local.largest);
   }
 
-  /// H^-1 r. If the chosen derivative makes H indefinite, Newton's step could increase G. The step with the bound of
-  /// the stiffness does not: with k I for every spring.
+  /// H^-1 r. If the chosen derivative makes H indefinite, Newton's step could increase G. Then H is replaced by an
+  /// upper bound, with k I for every spring, whose step does not increase G.
   static Vec3 solve(const Mat3& hessian, const Vec3& residual, double isotropic) {
     const Eigen::LLT<Mat3> factors(hessian);
     return factors.info() == Eigen::Success ? Vec3(factors.solve(residual)) : Vec3(residual / isotropic);

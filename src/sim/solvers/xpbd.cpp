@@ -31,7 +31,7 @@ namespace {
 /// ends, J = h C_d (v_b' - v_a'). This conserves momentum and cannot reverse the relative velocity. The attachment is a
 /// constraint of three components (AttachmentConstraint).
 ///
-/// In float vector instructions do the same (simd/constraint_run.hpp).
+/// In float, vector instructions take the same step (simd/constraint_run.hpp).
 ///
 /// A fabric has two block constraints a triangle instead (FabricConstraints), always in double. Its damping is split
 /// from the step by the Stepper.
@@ -87,7 +87,7 @@ class XpbdSolver final : public BatchSolver {
 
   void correctFabric(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                      ClothState& state) {
-    // The moments of a fabric that is bent at rest act as at the start of the step, as air does.
+    // The moments of a fabric that is bent at rest are those at the start of the step, as is the force of the air.
     for (std::size_t v = 0; v < start_.size() && !model.fabric->restMoments.empty(); ++v) {
       state.positions[v] +=
           parameters.timeStep * parameters.timeStep * inverseMass_[v] * model.fabric->restMoments.forceOn(v, start_);
