@@ -45,7 +45,7 @@ class EnergyGuard {
   [[nodiscard]] bool levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels) const;
 
   /// Whether to measure the energy at the end of the step, which costs a force evaluation. In steps of few evaluations
-  /// it is not measured every time, unless wind acts, the drift is large or a step was retried lately.
+  /// it is not measured every time, unless wind acts, the drift is large or a step was retried recently.
   [[nodiscard]] bool isMeasurementDue(const StepPlan& plan, const StepMemory& memory) const;
 
   /// True if the energy is not finite, or grew by more than external work explains. Updates the drift in `memory`.

@@ -62,7 +62,7 @@ class StretchChoice {
     int material = 0;
   };
 
-  /// A cloth at the combinations of levels that were used lately.
+  /// A cloth at the combinations of levels that were used recently.
   struct Softer {
     std::shared_ptr<const ClothModel> stiffest;  // null if it is the cloth itself
     std::map<Levels, std::shared_ptr<const ClothModel>> models;

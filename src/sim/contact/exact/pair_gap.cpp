@@ -46,7 +46,7 @@ Vec3 nearestWeights(const Vec3& point, const Corners& triangle) {
   return isSliver && weights.minCoeff() > 0.0 ? nearestOnBorder(point, triangle) : weights;
 }
 
-/// The time for which the separation of a pair along a normal stays at least `distance`. Infinity: for ever.
+/// The time for which the separation of a pair along a normal stays at least `distance`. Infinity: without end.
 double timeToSeparation(double distance, const Vec3& normal, const PairVertices& vertices, std::span<const Vec3> at,
                         std::span<const Vec3> velocities) {
   double time = std::numeric_limits<double>::infinity();
