@@ -85,9 +85,7 @@ void exportFrame(const scene::Scene& scene, const sim::ClothModel& model, const 
     throw messages::UsageError("the scene has " + std::to_string(scene.cloths.size()) + " cloths, and a ." +
                                std::string(format.extension) + " file holds one mesh; choose .obj or .glb");
   }
-  if (existing == Existing::Refused && std::filesystem::exists(file)) {
-    throw messages::InputError(file.string() + " exists; choose another name");
-  }
+  requireFree(file, existing);
   std::vector<std::size_t> all(scene.cloths.size());
   std::iota(all.begin(), all.end(), 0);
   const ExportCoordinates coordinates = usualCoordinates(scene, format, all.size());

@@ -37,6 +37,14 @@ bool makeEmpty(int file) {
 
 }  // namespace
 
+void requireFree(const std::filesystem::path& file, Existing existing, std::string_view option) {
+  std::error_code error;
+  if (existing == Existing::Refused && std::filesystem::exists(file, error)) {
+    throw messages::InputError(file.string() + " exists; choose another name" +
+                               (option.empty() ? "" : ", or give " + std::string(option)));
+  }
+}
+
 OutputFile::OutputFile(std::string name, std::string what) : name_(std::move(name)), what_(std::move(what)) {
   file_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, usualMode);
   isOurs_ = file_ >= 0;

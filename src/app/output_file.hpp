@@ -10,6 +10,10 @@ namespace drape::app {
 /// Whether a file may be replaced.
 enum class Existing { Refused, Replaced };
 
+/// Throws InputError if the file exists and may not be replaced.
+/// @param option of the command that allows the file to be replaced, for the message; empty: there is none
+void requireFree(const std::filesystem::path& file, Existing existing, std::string_view option = {});
+
 /// A file for the results of a program.
 ///
 /// It is opened before the run, so that a wrong folder shows at once. The old content stays until `write` replaces it.

@@ -12,13 +12,6 @@
 namespace drape::app {
 namespace {
 
-void requireFree(const std::filesystem::path& file, Existing existing) {
-  std::error_code error;
-  if (existing == Existing::Refused && std::filesystem::exists(file, error)) {
-    throw messages::InputError(file.string() + " exists already; give another name, or --replace");
-  }
-}
-
 /// Writes where one cloth is, in the unit and the axes of its mesh.
 void writeStart(const scene::Scene& scene, std::size_t index, const std::vector<Vec3>& start,
                 const std::filesystem::path& file) {
@@ -45,7 +38,7 @@ std::vector<std::optional<scene::MeshFileSource>> writeStarts(const scene::Scene
     }
     const std::string name = scene.cloths.size() > 1 ? "_" + exportedName(scene, cloth) : "";
     const std::filesystem::path file = sceneFile.parent_path() / (sceneFile.stem().string() + "_start" + name + ".obj");
-    requireFree(file, existing);
+    requireFree(file, existing, "--replace");
     writeStart(scene, i, start, file);
     files.back() = scene::MeshFileSource{file.string()};
     notes.emplace_back("The start of the cloth is in {}", file.filename().string());
@@ -76,7 +69,7 @@ std::filesystem::path sceneFile(const std::filesystem::path& path) {
 
 std::vector<text::Sentence> saveScene(const scene::Scene& scene, scene::SceneNow now, const std::filesystem::path& file,
                                       Existing existing, const std::vector<Vec3>& start) {
-  requireFree(file, existing);
+  requireFree(file, existing, "--replace");
   std::error_code error;
   if (!std::filesystem::is_directory(file.parent_path(), error)) {
     throw messages::InputError("cannot save the scene: there is no folder " + file.parent_path().string());

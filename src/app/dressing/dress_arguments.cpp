@@ -109,9 +109,7 @@ scene::ReadingChoice garmentReading(settings::Settings settings, const std::vect
 /// Throws InputError if the file exists and may not be replaced, or cannot be written.
 /// @param what it will contain, for messages
 void requireFile(const std::filesystem::path& file, const char* what, Existing existing) {
-  if (existing == Existing::Refused && std::filesystem::exists(file)) {
-    throw messages::InputError(file.string() + " exists; choose another name, or give --replace");
-  }
+  requireFree(file, existing, "--replace");
   const OutputFile canBeWritten(file.string(), what);
 }
 

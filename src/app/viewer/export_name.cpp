@@ -1,8 +1,8 @@
 #include "app/viewer/export_name.hpp"
 
 #include "app/export/frame_name.hpp"
+#include "app/output_file.hpp"
 #include "app/viewer/free_name.hpp"
-#include "messages/error.hpp"
 #include "text/words.hpp"
 
 namespace drape::app {
@@ -35,10 +35,7 @@ void requireNewFiles(const std::string& name, int firstFrame, int frames) {
   const bool isNumbered = name.find(placeholder) != std::string::npos;
   const FramePattern pattern(name, 1, "the name");
   for (int i = 0; i < (isNumbered ? frames : 1); ++i) {
-    std::error_code error;
-    if (std::filesystem::exists(pattern.name(firstFrame + i), error)) {
-      throw messages::InputError(pattern.name(firstFrame + i) + " exists; choose another name");
-    }
+    requireFree(pattern.name(firstFrame + i), Existing::Refused);
   }
 }
 
