@@ -107,7 +107,7 @@ void printNotes(const scene::Scene& scene) {
 }  // namespace
 
 void printFormerKey(std::string_view expression) {
-  if (const std::string note = settings::formerKeyNote(expression.substr(0, expression.find('='))); !note.empty()) {
+  if (const std::string note = settings::formerKeyNote(settings::keyOf(expression)); !note.empty()) {
     std::cerr << "note: " << note << '\n';
   }
 }
@@ -171,7 +171,7 @@ std::shared_ptr<const scene::Scene> SceneArguments::build(const scene::SceneDesc
   }
   settings::requireConsistent(inForce);
   for (const std::string& expression : settings) {
-    const std::string note = settings::noEffectNote(inForce, expression.substr(0, expression.find('=')));
+    const std::string note = settings::noEffectNote(inForce, settings::keyOf(expression));
     if (!note.empty()) {
       std::cerr << "note: " << note << '\n';
     }

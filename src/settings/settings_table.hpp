@@ -171,6 +171,9 @@ void requireConsistent(const Settings& settings);
 /// Sets the value from text, as on the command line: "0.01", "1/150", "on", "cm".
 void assignSettingText(Settings& settings, const SettingInfo& info, std::string_view text);
 
+/// The key of "key=value"; the whole text if it has no "=".
+[[nodiscard]] std::string_view keyOf(std::string_view expression);
+
 /// Sets a value from "key=value", as given to --set. Throws UsageError as above.
 void assignSettingExpression(Settings& settings, std::string_view expression);
 

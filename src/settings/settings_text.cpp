@@ -298,13 +298,17 @@ void assignSettingText(Settings& settings, const SettingInfo& info, std::string_
   assignSetting(settings, info, parseValue(info, text));
 }
 
+std::string_view keyOf(std::string_view expression) {
+  return expression.substr(0, expression.find('='));
+}
+
 void assignSettingExpression(Settings& settings, std::string_view expression) {
   const auto equals = expression.find('=');
   if (equals == std::string_view::npos || equals == 0) {
     throw messages::UsageError("a setting is given as key=value, for example --set stiffness=100; " +
                                quoted(expression) + " is not");
   }
-  assignSettingText(settings, requireSetting(expression.substr(0, equals)), expression.substr(equals + 1));
+  assignSettingText(settings, requireSetting(keyOf(expression)), expression.substr(equals + 1));
 }
 
 }  // namespace drape::settings

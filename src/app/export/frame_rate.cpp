@@ -1,6 +1,7 @@
 #include "app/export/frame_rate.hpp"
 
 #include "messages/error.hpp"
+#include "settings/settings_table.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -29,7 +30,7 @@ double fittingTimeStep(double rate, double timeStep) {
 }
 
 std::function<void(settings::Settings&)> fitTimeStep(double rate, std::span<const std::string> changes) {
-  const auto setsTimeStep = [](const std::string& change) { return change.starts_with("time_step="); };
+  const auto setsTimeStep = [](const std::string& change) { return settings::keyOf(change) == "time_step"; };
   if (std::ranges::any_of(changes, setsTimeStep)) {
     return {};
   }

@@ -65,7 +65,7 @@ settings::Settings referenceSettings(const MeasureArguments& arguments, report::
     settings.solver.name = arguments.against;
   }
   for (const std::string& expression : arguments.referenceSettings) {
-    const settings::SettingInfo& info = settings::requireSetting(expression.substr(0, expression.find('=')));
+    const settings::SettingInfo& info = settings::requireSetting(settings::keyOf(expression));
     if (info.effect != settings::SettingEffect::Step) {
       throw messages::UsageError("--reference-set " + std::string(info.key) +
                                  " would change the cloth; the reference takes settings of the step only");
