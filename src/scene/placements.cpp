@@ -124,16 +124,19 @@ std::string nameOf(const SceneDescription& description, const Placeable& thing) 
   return name.empty() ? "cloth" : name;
 }
 
-std::string whyNotScaled(const SceneDescription& description, const Placeable& thing) {
+bool isPlane(const SceneDescription& description, const Placeable& thing) {
   if (thing.kind == Placeable::Kind::Cloth) {
-    return {};
+    return false;
   }
   const BodyDescription& body = description.bodies.at(thing.index);
-  if (body.figure) {
+  return body.meshes.empty() && std::holds_alternative<sim::contact::PlaneShape>(body.body.shape);
+}
+
+std::string whyNotScaled(const SceneDescription& description, const Placeable& thing) {
+  if (thing.kind == Placeable::Kind::Body && description.bodies.at(thing.index).figure) {
     return "A figure has its size by its measures, in the section Scene.";
   }
-  const bool isPlane = body.meshes.empty() && std::holds_alternative<sim::contact::PlaneShape>(body.body.shape);
-  return isPlane ? "A plane is infinite, so it has no scale." : std::string();
+  return isPlane(description, thing) ? "A plane is infinite, so it has no scale." : std::string();
 }
 
 }  // namespace drape::scene

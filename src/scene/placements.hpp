@@ -51,6 +51,9 @@ struct Placements {
 /// "cloth" for the only cloth of a scene, otherwise its name.
 [[nodiscard]] std::string nameOf(const SceneDescription& description, const Placeable& thing);
 
+/// Whether it is an infinite plane.
+[[nodiscard]] bool isPlane(const SceneDescription& description, const Placeable& thing);
+
 /// Why a placement cannot scale it, as a sentence; empty if it can.
 [[nodiscard]] std::string whyNotScaled(const SceneDescription& description, const Placeable& thing);
 

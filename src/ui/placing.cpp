@@ -55,11 +55,6 @@ scene::Placement changed(const scene::Placement& from, const GizmoChange& change
   return from;
 }
 
-bool isPlane(const scene::SceneDescription& description, const scene::Placeable& thing) {
-  return thing.kind == scene::Placeable::Kind::Body && description.bodies[thing.index].meshes.empty() &&
-         std::holds_alternative<sim::contact::PlaneShape>(description.bodies[thing.index].body.shape);
-}
-
 }  // namespace
 
 void Placing::next(const session::Snapshot& snapshot, UiOutput& output) {
@@ -194,7 +189,7 @@ void Placing::read(const scene::ReadingChoice& reading, const session::Snapshot&
 }
 
 void Placing::placeOnGround(const session::Snapshot& snapshot, UiOutput& output) {
-  if (isPlane(snapshot.scene->description, thing_)) {
+  if (scene::isPlane(snapshot.scene->description, thing_)) {
     output.hint = "A plane is infinite, so it has no lowest point.";
     return;
   }
