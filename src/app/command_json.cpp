@@ -1,6 +1,7 @@
 #include "app/command_json.hpp"
 
 #include "app/fabric_json.hpp"
+#include "app/vector_json.hpp"
 #include "messages/error.hpp"
 
 #include <array>
@@ -113,7 +114,7 @@ void visitFields(Command& command, const Visitor& visit) {
 }
 
 void put(Json& json, const Vec3& value) {
-  json = {value.x(), value.y(), value.z()};
+  json = vectorJson(value);
 }
 
 void put(Json& json, const std::vector<Vec3>& values) {
@@ -199,9 +200,7 @@ void put(Json& json, const T& value) {
 }
 
 void take(const Json& json, Vec3& value) {
-  for (int axis = 0; axis < 3; ++axis) {
-    value[axis] = json.at(static_cast<std::size_t>(axis)).get<double>();
-  }
+  value = vectorFrom(json);
 }
 
 void take(const Json& json, std::vector<Vec3>& values) {

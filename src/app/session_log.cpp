@@ -2,6 +2,7 @@
 
 #include "app/command_json.hpp"
 #include "app/fabric_json.hpp"
+#include "app/vector_json.hpp"
 #include "messages/error.hpp"
 #include "scene/garment_on_body.hpp"
 #include "scene/scene_parts.hpp"
@@ -42,8 +43,9 @@ scene::SceneParts absoluteParts(scene::SceneParts parts) {
 }
 
 Json toJson(const scene::Placement& placement) {
-  const auto list = [](const Vec3& vector) { return Json::array({vector.x(), vector.y(), vector.z()}); };
-  return {{"position", list(placement.position)}, {"rotation", list(placement.rotation)}, {"scale", placement.scale}};
+  return {{"position", vectorJson(placement.position)},
+          {"rotation", vectorJson(placement.rotation)},
+          {"scale", placement.scale}};
 }
 
 Json toJson(const std::vector<scene::Placement>& placements) {
@@ -55,10 +57,7 @@ Json toJson(const std::vector<scene::Placement>& placements) {
 }
 
 scene::Placement placementFrom(const Json& json) {
-  const auto vector = [](const Json& list) {
-    return Vec3(list.at(0).get<double>(), list.at(1).get<double>(), list.at(2).get<double>());
-  };
-  return {vector(json.at("position")), vector(json.at("rotation")), json.at("scale").get<double>()};
+  return {vectorFrom(json.at("position")), vectorFrom(json.at("rotation")), json.at("scale").get<double>()};
 }
 
 std::vector<scene::Placement> placementsFrom(const Json& json) {

@@ -2,6 +2,7 @@
 
 #include "app/output_file.hpp"
 #include "app/user_folder.hpp"
+#include "app/vector_json.hpp"
 #include "locale/language.hpp"
 #include "messages/error.hpp"
 #include "scene/framing.hpp"
@@ -50,14 +51,9 @@ std::string languageFrom(const std::string& name) {
   return name;
 }
 
-Json pointJson(const Vec3& point) {
-  return Json::array({point.x(), point.y(), point.z()});
-}
-
 Vec3 pointFrom(const Json& json) {
   constexpr double farAway = 1e6;  // [m]
-  const auto numbers = json.get<std::array<double, 3>>();
-  const Vec3 point(numbers[0], numbers[1], numbers[2]);
+  const Vec3 point = vectorFrom(json);
   if (!(point.cwiseAbs().maxCoeff() <= farAway)) {
     throw messages::InputError("a camera is out of range");
   }
@@ -68,8 +64,8 @@ Json viewJson(const std::optional<scene::CameraPose>& view) {
   if (!view) {
     return nullptr;
   }
-  return {{"position", pointJson(view->position)},
-          {"focal_point", pointJson(view->focalPoint)},
+  return {{"position", vectorJson(view->position)},
+          {"focal_point", vectorJson(view->focalPoint)},
           {"view_angle", view->viewAngle},
           {"orthographic", view->isOrthographic}};
 }

@@ -3,6 +3,7 @@
 #include "app/choice_json.hpp"
 #include "app/error_sources_json.hpp"
 #include "app/output_file.hpp"
+#include "app/vector_json.hpp"
 #include "messages/error.hpp"
 #include "render/picking.hpp"
 #include "scene/cloth_material.hpp"
@@ -30,10 +31,6 @@ constexpr std::size_t pickBudget = 400'000;  // maximum number of triangles to t
 constexpr std::size_t wantedPoints = 5;
 constexpr double margin = 12.0;  // from the edges of the picture [window units]
 
-Json toJson(const Vec3& vector) {
-  return Json::array({vector.x(), vector.y(), vector.z()});
-}
-
 Json toJson(const ui::UiRect& rect) {
   return {{"x", rect.x}, {"y", rect.y}, {"width", rect.width}, {"height", rect.height}, {"visible", rect.visible}};
 }
@@ -59,8 +56,8 @@ Json toJson(const std::optional<session::AttachmentStatus>& attachment) {
     return nullptr;
   }
   return {{"triangle", attachment->triangle},
-          {"target", toJson(attachment->target)},
-          {"point", toJson(attachment->point)},
+          {"target", vectorJson(attachment->target)},
+          {"point", vectorJson(attachment->point)},
           {"distance", (attachment->target - attachment->point).norm()},
           {"pinned", attachment->pinned}};
 }
@@ -120,7 +117,8 @@ class PlaceFinder {
       const Vec2 place = projected(centreOf(triangle));
       const auto hit = free(place) ? hitAt(place) : std::nullopt;
       if (hit && hit->triangle == static_cast<int>(triangle)) {
-        points.push_back({{"x", place.x()}, {"y", place.y()}, {"triangle", triangle}, {"point", toJson(hit->point)}});
+        points.push_back(
+            {{"x", place.x()}, {"y", place.y()}, {"triangle", triangle}, {"point", vectorJson(hit->point)}});
       }
     }
     return points;
@@ -134,8 +132,8 @@ class PlaceFinder {
       const Vec2 place = projected(middleOf(body, status));
       list.push_back({{"name", body.name},
                       {"on", status.on},
-                      {"position", toJson(status.pose.position)},
-                      {"shift", toJson(status.shift)},
+                      {"position", vectorJson(status.pose.position)},
+                      {"shift", vectorJson(status.shift)},
                       {"figure", toJson(status.figure)},
                       {"clip", clipOf(i)},
                       {"x", place.x()},
@@ -306,8 +304,8 @@ Json placingOf(const ui::UiStats& stats, const scene::Scene& scene) {
   const ui::PlacingView& placing = *stats.placing;
   return {{"thing", scene::nameOf(scene.description, placing.thing)},
           {"tool", tools[static_cast<std::size_t>(placing.tool)]},
-          {"middle", toJson(placing.middle)},
-          {"rotation", toJson(placing.placement.rotation)},
+          {"middle", vectorJson(placing.middle)},
+          {"rotation", vectorJson(placing.placement.rotation)},
           {"scale", placing.placement.scale},
           {"unit", placing.reading ? Json(placing.reading->unit) : Json(nullptr)},
           {"up", placing.reading ? Json(placing.reading->up) : Json(nullptr)},
@@ -317,7 +315,7 @@ Json placingOf(const ui::UiStats& stats, const scene::Scene& scene) {
 /// The corners of the box around the cloth [m].
 Json boundsOfCloth(const session::Snapshot& snapshot) {
   const Eigen::AlignedBox3d box = sim::boundsOf(snapshot.positions);
-  return {{"min", toJson(box.min())}, {"max", toJson(box.max())}};
+  return {{"min", vectorJson(box.min())}, {"max", vectorJson(box.max())}};
 }
 
 Json errorsOf(const ui::ErrorComparisonView& errors) {
@@ -334,8 +332,8 @@ Json piercingOf(const ui::UiStats& stats) {
 Json describeAll(const ViewerStatus& status) {
   Json json = describeSimulation(status.snapshot);
   const scene::CameraPose& pose = status.camera.pose();
-  json["camera"] = {{"position", toJson(pose.position)},
-                    {"focal_point", toJson(pose.focalPoint)},
+  json["camera"] = {{"position", vectorJson(pose.position)},
+                    {"focal_point", vectorJson(pose.focalPoint)},
                     {"view_angle", pose.viewAngle},
                     {"orthographic", status.camera.isOrthographic()},
                     {"turns", status.stats.camera.turns}};
