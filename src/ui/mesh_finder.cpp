@@ -1,10 +1,11 @@
 #include "ui/mesh_finder.hpp"
 
 #include "messages/sim_error_text.hpp"
+#include "session/take_if_ready.hpp"
 
-#include <chrono>
 #include <exception>
 #include <new>
+#include <optional>
 #include <utility>
 
 namespace drape::ui {
@@ -47,12 +48,12 @@ void MeshFinder::forget() {
 
 void MeshFinder::follow() {
   if (running_.valid()) {
-    if (running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    std::optional<FoundFile> result = session::takeIfReady(running_);
+    if (!result) {
       return;
     }
-    FoundFile result = running_.get();
     if (!std::exchange(isCancelled_, false)) {
-      found_[next_++] = std::move(result);
+      found_[next_++] = *std::move(result);
     }
   }
   if (next_ < found_.size()) {

@@ -1,10 +1,10 @@
 #include "ui/scene_loader.hpp"
 
 #include "messages/sim_error_text.hpp"
+#include "session/take_if_ready.hpp"
 #include "ui/names_in_words.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -97,10 +97,10 @@ void SceneLoader::start(Job job) {
 }
 
 std::optional<SceneLoader::Outcome> SceneLoader::poll() {
-  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+  std::optional<Outcome> outcome = session::takeIfReady(running_);
+  if (!outcome) {
     return std::nullopt;
   }
-  std::optional<Outcome> outcome = running_.get();
   if (std::exchange(cancelled_, false)) {
     outcome.reset();
   }

@@ -2,8 +2,8 @@
 
 #include "messages/error.hpp"
 #include "messages/sim_error_text.hpp"
+#include "session/take_if_ready.hpp"
 
-#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -29,10 +29,7 @@ DressingJob::~DressingJob() {
 }
 
 std::optional<DressingJob::Outcome> DressingJob::poll() {
-  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    return std::nullopt;
-  }
-  return running_.get();
+  return session::takeIfReady(running_);
 }
 
 DressingJob::Outcome DressingJob::run() {

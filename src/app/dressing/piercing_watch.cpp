@@ -1,5 +1,8 @@
 #include "app/dressing/piercing_watch.hpp"
 
+#include "session/take_if_ready.hpp"
+
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -62,13 +65,10 @@ void PiercingWatch::follow(const session::Snapshot& snapshot, Clock::time_point 
 }
 
 void PiercingWatch::take(Clock::time_point now) {
-  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    return;
-  }
-  Found found = running_.get();
-  if (!std::exchange(isStale_, false)) {
+  std::optional<Found> found = session::takeIfReady(running_);
+  if (found && !std::exchange(isStale_, false)) {
     knowsStart_ = true;
-    found_ = std::move(found);
+    found_ = *std::move(found);
     nextLook_ = now + interval;
   }
 }

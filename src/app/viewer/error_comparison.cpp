@@ -3,8 +3,8 @@
 #include "messages/error.hpp"
 #include "messages/sim_error_text.hpp"
 #include "report/error_sources.hpp"
+#include "session/take_if_ready.hpp"
 
-#include <chrono>
 #include <exception>
 #include <new>
 #include <utility>
@@ -26,10 +26,7 @@ ErrorComparison::~ErrorComparison() {
 }
 
 std::optional<ErrorComparison::Outcome> ErrorComparison::poll() {
-  if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-    return std::nullopt;
-  }
-  return running_.get();
+  return session::takeIfReady(running_);
 }
 
 ErrorComparison::Outcome ErrorComparison::run() {
