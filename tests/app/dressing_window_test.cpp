@@ -1,6 +1,7 @@
 // Dressing in the window: dropped files, the command line, and bodies that pass through the cloth.
 #include "animation_files.hpp"
 #include "intersection/intersections.hpp"
+#include "replay.hpp"
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
@@ -259,10 +260,7 @@ TEST(DressingInTheWindow, AClipThatIsChosenForADroppedBodyMovesItAndIsReplayed) 
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
   std::ifstream text(log);
   EXPECT_EQ(Json::parse(text)["clips"], Json::array({"bend"}));
-  const auto output = folder.path() / "output.txt";
-  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
-  std::ifstream replay(output);
-  EXPECT_EQ(status, 0) << replay.rdbuf();
+  expectReplay(log);
 }
 
 TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentStaysDressed) {
@@ -289,13 +287,8 @@ TEST(DressingInTheWindow, AnotherClipOfTheBodyIsChosenInThePanelAndTheGarmentSta
   viewer.tap("ctrl+y");
   viewer.waitUntil("the other clip again", hasClip("still"));
   viewer.waitUntil("the dressed body again", isWorn);
-  viewer.tap("ctrl+q");
-  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
-  viewer.tap("Return");
-  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
-  const auto output = folder.path() / "output.txt";
-  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
-  EXPECT_EQ(status, 0) << contentOf(output);
+  quitWithQuestion(viewer);
+  expectReplay(log);
 }
 
 TEST(DressingInTheWindow, AGarmentThatIsDroppedOnABodyIsWornAfterOneClick) {
@@ -355,10 +348,7 @@ TEST(DressingInTheWindow, TheCommandDressOpensTheDressedBodyAndItsSessionReplays
   EXPECT_FALSE(moving["paused"].get<bool>());
   viewer.tap("ctrl+q");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
-  const auto output = folder.path() / "output.txt";
-  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
-  std::ifstream text(output);
-  EXPECT_EQ(status, 0) << text.rdbuf();
+  expectReplay(log);
 }
 
 TEST(DressingInTheWindow, AGarmentThatCannotBeWornStaysAndTheReasonIsShown) {

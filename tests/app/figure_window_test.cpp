@@ -1,10 +1,9 @@
 // Another motion and another size for a figure, chosen in the window.
+#include "replay.hpp"
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace drape::app {
@@ -25,11 +24,6 @@ void choose(ViewerDriver& viewer, const std::string& motion) {
 /// Closes the sections above the rows of the figure, so that these are in sight.
 void closeSections(ViewerDriver& viewer) {
   clickHeadings(viewer, {"section.material", "section.air", "section.simulation", "section.contact"});
-}
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ifstream text(file);
-  return {std::istreambuf_iterator<char>(text), {}};
 }
 
 TEST(FigureInTheWindow, TakesAnotherMotionAndSizeWhileItMovesAndKeepsThem) {
@@ -54,7 +48,7 @@ TEST(FigureInTheWindow, TakesAnotherMotionAndSizeWhileItMovesAndKeepsThem) {
   viewer.waitUntil("the file", [](const Json& s) {
     return s["message"].get<std::string>().find("dance-001.toml") != std::string::npos;
   });
-  const std::string saved = textOf(viewer.folder() / "dance-001.toml");
+  const std::string saved = contentOf(viewer.folder() / "dance-001.toml");
   EXPECT_NE(saved.find("motion = 'squat'"), std::string::npos) << saved;
   EXPECT_NE(saved.find("waist = "), std::string::npos) << saved;
 }
@@ -79,13 +73,8 @@ TEST(FigureInTheWindow, IsRecordedAndReplayed) {
   choose(viewer, "turn");
   const Json chosen = viewer.state();
   viewer.waitUntil("steps after it", [&](const Json& s) { return s["step"] > chosen["step"].get<int>() + 5; });
-  viewer.key("ctrl+q");
-  viewer.waitUntil("the question", [](const Json& s) { return s["buttons"].contains("overlay.quit"); });
-  viewer.tap("Return");
-  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
-  const auto output = folder.path() / "output.txt";
-  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
-  EXPECT_EQ(status, 0) << textOf(output);
+  quitWithQuestion(viewer);
+  expectReplay(log);
 }
 
 }  // namespace

@@ -74,10 +74,7 @@ TEST(FirstMinute, QuittingAsksBeforeChangesAreLost) {
   viewer.key("Escape");
   viewer.waitUntil("no question", [](const Json& s) { return !hasButton(s, "overlay.quit"); });
   EXPECT_TRUE(viewer.process().running());
-  viewer.key("ctrl+q");
-  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
-  viewer.tap("Return");
-  EXPECT_EQ(viewer.process().waitFor(60.0), 0);
+  quitWithQuestion(viewer);
 }
 
 TEST(FirstMinute, EscapeSaysHowToQuitWhereNothingIsOpen) {

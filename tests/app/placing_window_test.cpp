@@ -1,4 +1,5 @@
 // The mode Place with real mouse and keyboard: the gizmo, undo, To ground, saving and recording.
+#include "replay.hpp"
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
@@ -156,14 +157,9 @@ TEST(PlacingWindow, ARecordedSessionReplaysAPlacement) {
   viewer.waitUntil("the moved cloth", [](const Json& s) { return isBuilt(s) && s["step"] == 0; });
   viewer.key("Escape");
   viewer.waitUntil("steps after it", [](const Json& s) { return !s["paused"].get<bool>() && s["step"] > 20; });
-  viewer.key("ctrl+q");
-  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
-  viewer.tap("Return");
-  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
+  quitWithQuestion(viewer);
   EXPECT_NE(contentOf(log).find("\"placements\""), std::string::npos);
-  const auto output = folder.path() / "output.txt";
-  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
-  EXPECT_EQ(status, 0) << contentOf(output);
+  expectReplay(log);
 }
 
 }  // namespace

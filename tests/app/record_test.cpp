@@ -1,4 +1,5 @@
 // Sessions that the window records.
+#include "replay.hpp"
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
@@ -23,14 +24,8 @@ TEST(Record, ASessionInTheWindowReplaysToTheSameBits) {
   viewer.click(viewer.find("drag", 0.6));
   const Json changed = viewer.waitUntil("a change of drag", [](const Json& s) { return s["settings"]["drag"] != 0.5; });
   viewer.waitUntil("steps after it", [&](const Json& s) { return s["step"] > changed["step"].get<int>() + 10; });
-  viewer.key("ctrl+q");
-  viewer.waitUntil("the question", [](const Json& s) { return s["buttons"].contains("overlay.quit"); });
-  viewer.tap("Return");
-  ASSERT_EQ(viewer.process().waitFor(60.0), 0);
-  const auto output = folder.path() / "output.txt";
-  const int status = runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output});
-  std::ifstream text(output);
-  EXPECT_EQ(status, 0) << text.rdbuf();
+  quitWithQuestion(viewer);
+  expectReplay(log);
 }
 
 TEST(Record, AFileThatCannotBeWrittenIsAnErrorAtOnce) {

@@ -1,4 +1,5 @@
 // Seams and elastic bands with real mouse and keyboard: sewing, undo, saving and recording.
+#include "replay.hpp"
 #include "viewer_driver.hpp"
 
 #include <gtest/gtest.h>
@@ -119,9 +120,8 @@ TEST(SewingWindow, ABandIsSetSavedAndRecorded) {
   const auto saved = viewer.folder() / "sheets-001.toml";
   viewer.tap("ctrl+q");
   ASSERT_EQ(viewer.process().waitFor(60.0), 0);
+  expectReplay(log);
   const auto output = folder.path() / "output.txt";
-  EXPECT_EQ(runToEnd({.command = {DRAPE_HEADLESS, "run", "--replay", log.string()}, .output = output}), 0)
-      << contentOf(output);
   EXPECT_EQ(runToEnd({.command = {DRAPE_HEADLESS, "run", saved.string(), "--seconds", "0.1"}, .output = output}), 0)
       << contentOf(output);
   const std::string text = contentOf(saved);

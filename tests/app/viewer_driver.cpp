@@ -290,4 +290,11 @@ void clickHeadings(ViewerDriver& viewer, const std::vector<std::string>& section
   }
 }
 
+void quitWithQuestion(ViewerDriver& viewer) {
+  viewer.tap("ctrl+q");
+  viewer.waitUntil("the question", [](const Json& s) { return hasButton(s, "overlay.quit"); });
+  viewer.tap("Return");
+  EXPECT_EQ(viewer.process().waitFor(60.0), 0);
+}
+
 }  // namespace drape::app

@@ -131,4 +131,7 @@ class ViewerDriver {
 /// Opens or closes sections of the panel by a click on the heading of each ("section.material").
 void clickHeadings(ViewerDriver& viewer, const std::vector<std::string>& sections);
 
+/// Quits the viewer, which asks first because changes would be lost, and waits for its end.
+void quitWithQuestion(ViewerDriver& viewer);
+
 }  // namespace drape::app
