@@ -126,18 +126,6 @@ inline std::string BarFile::text() const {
          R"(,"uri":"data:application/octet-stream;base64,)" + base64Text(data) + "\"}]}";
 }
 
-/// A glTF document as binary glTF with its JSON alone. The buffers stay in the JSON.
-inline std::string binaryGltf(const std::string& document) {
-  const auto word = [](std::size_t value) {
-    const auto number = static_cast<std::uint32_t>(value);
-    std::string bytes(sizeof(number), '\0');
-    std::memcpy(bytes.data(), &number, sizeof(number));
-    return bytes;
-  };
-  const std::string json = document + std::string((4 - document.size() % 4) % 4, ' ');
-  return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
-}
-
 /// The same bar as COLLADA, with lengths in units of `metres` and `up` ("Y_UP" or "Z_UP"): y of the file points up or
 /// forwards. In the only clip, of 1 s, the upper bone turns by 90 degrees about z of the file.
 inline std::string colladaBar(const std::string& metres, const std::string& up) {

@@ -1,6 +1,7 @@
 #include "io/animation_import.hpp"
 
 #include "animation_files.hpp"
+#include "glb_file.hpp"
 #include "input_error.hpp"
 
 #include <gtest/gtest.h>
@@ -133,7 +134,7 @@ TEST(AnimationImport, followsCubicCurvesBetweenTheKeysInBothFormsOfGltf) {
   bar.interpolation = "CUBICSPLINE";
   const Files files;
   const std::string text = bar.text();
-  for (const auto& file : {files.write("bar.gltf", text), files.write("bar.glb", binaryGltf(text))}) {
+  for (const auto& file : {files.write("bar.gltf", text), files.write("bar.glb", glbFile(text))}) {
     const AnimatedMesh mesh = importAnimation(file, clipAt("bend", 4.0));
     ASSERT_EQ(mesh.frames.size(), 9U);
     const std::size_t tip = vertexAt(mesh, {0.0, 2.0, 0.0});

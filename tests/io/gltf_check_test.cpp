@@ -1,5 +1,6 @@
 #include "io/gltf_check.hpp"
 
+#include "glb_file.hpp"
 #include "input_error.hpp"
 
 #include <gtest/gtest.h>
@@ -76,19 +77,10 @@ TEST(GltfCheck, namesTheErrorInTheJson) {
   EXPECT_TRUE(contains(problemOf(std::string(100000, '[')), "nested deeper"));
 }
 
-std::string chunk(const char* kind, const std::string& data) {
-  return std::string{static_cast<char>(data.size() & 0xffU), static_cast<char>(data.size() >> 8U), '\0', '\0'} +
-         std::string(kind, 4) + data;
-}
-
 std::string glb() {
   std::string json = gltf("");
   json.replace(json.find(",\"uri\":\"\""), 9, "");
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const std::string chunks = chunk("JSON", json) + chunk("BIN\0", std::string(36, 'a'));
-  const std::size_t size = chunks.size() + 12;
-  return std::string("glTF\2\0\0\0", 8) +
-         std::string{static_cast<char>(size & 0xffU), static_cast<char>(size >> 8U), '\0', '\0'} + chunks;
+  return glbFile(json, std::string(36, 'a'));
 }
 
 std::string glbProblem(const std::string& bytes) {

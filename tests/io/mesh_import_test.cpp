@@ -1,5 +1,7 @@
 #include "io/mesh_import.hpp"
 
+#include "glb_file.hpp"
+
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <bit>
@@ -17,37 +19,22 @@ ImportedMesh import(std::string_view name, std::string_view bytes) {
   return importMeshFromMemory(name, bytes, {});
 }
 
-std::string little(std::uint32_t value) {
-  std::string bytes;
-  for (int shift = 0; shift < 32; shift += 8) {
-    bytes += static_cast<char>(value >> shift & 0xffU);
-  }
-  return bytes;
-}
-
-std::string little(float value) {
-  return little(std::bit_cast<std::uint32_t>(value));
-}
-
 /// A unit square as binary glTF, in a node that mirrors and stretches it to x = 0 .. -2.
 std::string glbSquare() {
   std::string data;
   for (const float value : {0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F, 1.0F, 1.0F, 0.0F}) {
-    data += little(value);
+    data += littleEndian(value);
   }
   for (const std::uint32_t index : {0U, 1U, 2U, 1U, 3U, 2U}) {
-    data += little(index);
+    data += littleEndian(index);
   }
-  std::string json =
+  const std::string json =
       R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":[-2,1,1]}],)"
       R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":72}],)"
       R"("bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":24}],)"
       R"("accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},)"
       R"({"bufferView":1,"componentType":5125,"count":6,"type":"SCALAR"}]})";
-  json.resize((json.size() + 3) / 4 * 4, ' ');
-  const auto sizeOf = [](const std::string& chunk) { return static_cast<std::uint32_t>(chunk.size()); };
-  return "glTF" + little(2U) + little(28U + sizeOf(json) + sizeOf(data)) + little(sizeOf(json)) + "JSON" + json +
-         little(sizeOf(data)) + std::string("BIN\0", 4) + data;
+  return glbFile(json, data);
 }
 
 TEST(MeshImport, refusesMoreTrianglesThanAllowed) {
@@ -232,11 +219,11 @@ TEST(MeshImport, readsABinaryPlyWhoseNumbersBeginWithABlank) {
     std::string bytes =
         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-    bytes += little((std::bit_cast<std::uint32_t>(0.25F) & ~0xffU) | static_cast<std::uint32_t>(first));
+    bytes += littleEndian((std::bit_cast<std::uint32_t>(0.25F) & ~0xffU) | static_cast<std::uint32_t>(first));
     for (const float value : {0.0F, 0.0F, 1.0F, 0.0F, 0.0F, 0.0F, 1.0F, 0.0F}) {
-      bytes += little(value);
+      bytes += littleEndian(value);
     }
-    bytes += '\3' + little(0U) + little(1U) + little(2U);
+    bytes += '\3' + littleEndian(0U) + littleEndian(1U) + littleEndian(2U);
     const bool slow = first > 13 && first != ' ' && first % 16 != 0;
     if (!slow) {
       EXPECT_EQ(import("a.ply", bytes).summary.triangles, 1) << "first byte " << first;
