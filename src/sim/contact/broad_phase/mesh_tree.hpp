@@ -31,51 +31,21 @@ class MeshTree {
   /// Calls visit(leaf) for every leaf whose box intersects `box`, in ascending order.
   template <typename Visit>
   void forEachLeafIn(const Eigen::AlignedBox3d& box, Visit&& visit) const {
-    for (std::size_t at = 0; at < nodes_.size();) {
-      const Node& node = nodes_[at];
-      if (!node.box.intersects(box)) {
-        at = node.next;
-        continue;
-      }
-      if (node.end > node.begin) {
-        visit(node.leaf);
-      }
-      ++at;
-    }
+    forEachLeaf([&](const Eigen::AlignedBox3d& node) { return node.intersects(box); }, visit);
   }
 
   /// Calls visit(leaf) for every leaf whose box is closer to a point than the square root of `squaredRadius` [m^2]. The
   /// calls may lower `squaredRadius`.
   template <typename Visit>
   void forEachLeafWithin(const Vec3& point, const double& squaredRadius, Visit&& visit) const {
-    for (std::size_t at = 0; at < nodes_.size();) {
-      const Node& node = nodes_[at];
-      if (!(squaredDistance(node.box, point) < squaredRadius)) {
-        at = node.next;
-        continue;
-      }
-      if (node.end > node.begin) {
-        visit(node.leaf);
-      }
-      ++at;
-    }
+    forEachLeaf([&](const Eigen::AlignedBox3d& node) { return squaredDistance(node, point) < squaredRadius; }, visit);
   }
 
   /// Calls visit(leaf) for every leaf whose box intersects the ray from a point along a unit vector, in ascending
   /// order.
   template <typename Visit>
   void forEachLeafAlong(const Vec3& from, const Vec3& direction, Visit&& visit) const {
-    for (std::size_t at = 0; at < nodes_.size();) {
-      const Node& node = nodes_[at];
-      if (!meetsRay(node.box, from, direction)) {
-        at = node.next;
-        continue;
-      }
-      if (node.end > node.begin) {
-        visit(node.leaf);
-      }
-      ++at;
-    }
+    forEachLeaf([&](const Eigen::AlignedBox3d& node) { return meetsRay(node, from, direction); }, visit);
   }
 
   /// Squared distance of a point and a box, 0 inside [m^2].
@@ -92,6 +62,22 @@ class MeshTree {
     std::size_t end = 0;
     std::size_t leaf = 0;
   };
+
+  /// Calls visit(leaf) for every leaf whose box and the boxes around it satisfy meets(box), in ascending order.
+  template <typename Meets, typename Visit>
+  void forEachLeaf(const Meets& meets, Visit& visit) const {
+    for (std::size_t at = 0; at < nodes_.size();) {
+      const Node& node = nodes_[at];
+      if (!meets(node.box)) {
+        at = node.next;
+        continue;
+      }
+      if (node.end > node.begin) {
+        visit(node.leaf);
+      }
+      ++at;
+    }
+  }
 
   [[nodiscard]] static bool meetsRay(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction);
 
