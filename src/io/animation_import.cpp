@@ -7,6 +7,7 @@
 #include "text/words.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -18,11 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string animationFormatList() {
-  std::string list;
-  for (const std::string& format : animationFormats()) {
-    list += (list.empty() ? "." : ", .") + format;
-  }
-  return list;
+  return fmt::format(".{}", fmt::join(animationFormats(), ", ."));
 }
 
 /// The extension in lower case, without the dot.

@@ -13,6 +13,7 @@
 #include "text/words.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,11 +49,7 @@ constexpr std::array<OtherFormat, 29> otherFormats{{
 }};
 
 std::string formatList() {
-  std::string list;
-  for (const std::string& format : meshFormats()) {
-    list += (list.empty() ? "." : ", .") + format;
-  }
-  return list;
+  return fmt::format(".{}", fmt::join(meshFormats(), ", ."));
 }
 
 /// The file's extension in lower case, with its dot; empty when there is none.

@@ -3,6 +3,7 @@
 #include "messages/error.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -79,11 +80,7 @@ std::string TomlReader::nameOf(std::string_view key) const {
 void TomlReader::allowOnly(const std::vector<std::string_view>& keys) const {
   for (const auto& [key, node] : *table_) {
     if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
-      std::string known;
-      for (const auto& each : keys) {
-        known += (known.empty() ? "" : ", ") + std::string(each);
-      }
-      fail(node, "there is no '" + nameOf(key.str()) + "'; known keys here: " + known);
+      fail(node, fmt::format("there is no '{}'; known keys here: {}", nameOf(key.str()), fmt::join(keys, ", ")));
     }
   }
 }

@@ -3,6 +3,8 @@
 #include "scene/toml_reader.hpp"
 #include "text/number_text.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -48,11 +50,7 @@ std::string vectorText(const Vec3& vector) {
 }
 
 std::string listText(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int number : numbers) {
-    text += (text.empty() ? "" : ", ") + std::to_string(number);
-  }
-  return "[" + text + "]";
+  return fmt::format("[{}]", fmt::join(numbers, ", "));
 }
 
 std::string degreesText(const Vec3& radians) {
