@@ -130,19 +130,39 @@ void ContactImpulses<T>::findIslands() {
   // An island is named by its lowest vertex.
   std::vector<InIsland> contacts;
   std::vector<InIsland> vertices;
+  std::vector<unsigned char> isCoupled(vertices_.size(), 0);
   for (std::uint32_t i = 0; i < coupled_.size(); ++i) {
-    const int island = sets.root(static_cast<int>(freeVertexOf(coupled_[i])));
-    contacts.push_back({island, i});
-    forEachFreeVertex(coupled_[i], [&](std::uint32_t v) { vertices.push_back({island, v}); });
+    contacts.push_back({sets.root(static_cast<int>(freeVertexOf(coupled_[i]))), i});
+    forEachFreeVertex(coupled_[i], [&](std::uint32_t v) { isCoupled[v] = 1; });
   }
-  std::sort(contacts.begin(), contacts.end());
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    if (isCoupled[v] != 0) {
+      vertices.push_back({sets.root(static_cast<int>(v)), v});
+    }
+  }
+  contacts = sortedByIsland(contacts);
+  vertices = sortedByIsland(vertices);
   sorted_.clear();
   std::ranges::transform(contacts, std::back_inserter(sorted_), [&](const InIsland& i) { return coupled_[i.item]; });
   coupled_.swap(sorted_);
   std::ranges::transform(vertices, std::back_inserter(coupledVertices_), &InIsland::item);
   listIslands(contacts, vertices);
+}
+
+/// A counting sort by island. Items of the same island keep their order.
+template <typename T>
+std::vector<typename ContactImpulses<T>::InIsland> ContactImpulses<T>::sortedByIsland(
+    std::span<const InIsland> items) const {
+  std::vector<std::size_t> next(vertices_.size() + 1, 0);
+  for (const InIsland& each : items) {
+    ++next[static_cast<std::size_t>(each.island) + 1];
+  }
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<InIsland> sorted(items.size());
+  for (const InIsland& each : items) {
+    sorted[next[static_cast<std::size_t>(each.island)]++] = each;
+  }
+  return sorted;
 }
 
 /// @param contacts and vertices in the order of coupled_ and coupledVertices_
@@ -344,10 +364,10 @@ bool ContactImpulses<T>::solve(Contact& contact) {
     relative += contact.weights[c] * vertices_[contact.vertices[c]].velocity;
   }
   const double along = contact.normal.dot(relative);
-  const double normal = std::max(0.0, contact.normalImpulse + (contact.minSpeed - along) / contact.inverseMass);
-  if (normal == 0.0 && contact.normalImpulse == 0.0) {
+  if (contact.normalImpulse == 0.0 && !(along < contact.minSpeed)) {
     return false;
   }
+  const double normal = std::max(0.0, contact.normalImpulse + (contact.minSpeed - along) / contact.inverseMass);
   Vec3 friction = contact.friction - (relative - along * contact.normal) / contact.inverseMass;
   const double size = friction.norm();
   const double sticking = contact.staticFriction * normal;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <tuple>
 #include <vector>
 
 namespace drape::sim::adaptive {
@@ -92,12 +91,10 @@ class ContactImpulses {
     bool hasFeaturePairs = false;
   };
 
-  /// A contact or a vertex of an island. Sorted by island.
+  /// A contact or a vertex of an island.
   struct InIsland {
     int island = 0;
     std::uint32_t item = 0;
-    bool operator==(const InIsland&) const = default;
-    bool operator<(const InIsland& other) const { return std::tie(island, item) < std::tie(other.island, other.item); }
   };
 
   /// Islands from `first` to before `last`.
@@ -119,6 +116,7 @@ class ContactImpulses {
     }
   }
   void findIslands();
+  [[nodiscard]] std::vector<InIsland> sortedByIsland(std::span<const InIsland> items) const;
   void listIslands(std::span<const InIsland> contacts, std::span<const InIsland> vertices);
   [[nodiscard]] bool isSlow(const Island& island) const;
   void applyIsland(const Island& island, double time, double drift, simd::SlicedCloth<T>& cloth);
