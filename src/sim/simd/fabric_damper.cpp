@@ -24,6 +24,15 @@ bool isAtRest(std::span<const PinVelocity> pins, const ClothState& state) {
   return std::ranges::all_of(state.velocities, rests) && std::ranges::all_of(pins, rests, &PinVelocity::velocity);
 }
 
+/// The kinetic energy of the whole cloth at the speed of the fastest pin [J]. Pins that move can add this much.
+double energyAtSpeedOf(std::span<const PinVelocity> pins, const ClothModel& model) {
+  double squared = 0.0;
+  for (const PinVelocity& pin : pins) {
+    squared = std::max(squared, pin.velocity.squaredNorm());
+  }
+  return 0.5 * model.totalMass() * squared;
+}
+
 /// Largest 2 k_i / m_i of the free vertices [1/s^2]: an upper estimate of the highest frequency squared.
 /// @param stiffness of each vertex, times its relative damping [N/m]
 double highestRate(const ClothModel& model, std::span<const double> stiffness) {
@@ -154,6 +163,7 @@ double FabricDamper::damp(const ClothModel& model, const CommonParameters& param
     return 0.0;
   }
   const double energy = kineticEnergy(model, state);
+  const double pinsEnergy = energyAtSpeedOf(pins, model);
   before_ = state.velocities;
   for (int refinement = 1;; refinement *= 2) {
     if (parameters.precision == Precision::Float) {
@@ -162,8 +172,7 @@ double FabricDamper::damp(const ClothModel& model, const CommonParameters& param
       run(model, parameters, refinement, pins, double_, state);
     }
     const double change = kineticEnergy(model, state) - energy;
-    // Pins that move can add energy.
-    if (std::isfinite(change) && (change <= roundingGain * energy || !pins.empty())) {
+    if (std::isfinite(change) && change <= roundingGain * energy + pinsEnergy) {
       return change;
     }
     state.velocities = before_;
