@@ -128,58 +128,45 @@ void ContactImpulses<T>::findIslands() {
     forEachFreeVertex(contact, [&](std::uint32_t v) { sets.join(free, static_cast<int>(v)); });
   }
   // An island is named by its lowest vertex.
-  std::vector<InIsland> contacts;
-  std::vector<InIsland> vertices;
+  const auto islandOf = [&](std::size_t vertex) {
+    return static_cast<std::size_t>(sets.root(static_cast<int>(vertex)));
+  };
   std::vector<unsigned char> isCoupled(vertices_.size(), 0);
-  for (std::uint32_t i = 0; i < coupled_.size(); ++i) {
-    contacts.push_back({sets.root(static_cast<int>(freeVertexOf(coupled_[i]))), i});
-    forEachFreeVertex(coupled_[i], [&](std::uint32_t v) { isCoupled[v] = 1; });
-  }
-  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
-    if (isCoupled[v] != 0) {
-      vertices.push_back({sets.root(static_cast<int>(v)), v});
+  const auto contacts = RaggedRows<std::uint32_t>::collect(vertices_.size(), [&](const auto& add) {
+    for (std::uint32_t i = 0; i < coupled_.size(); ++i) {
+      add(islandOf(freeVertexOf(coupled_[i])), i);
+      forEachFreeVertex(coupled_[i], [&](std::uint32_t v) { isCoupled[v] = 1; });
     }
-  }
-  contacts = sortedByIsland(contacts);
-  vertices = sortedByIsland(vertices);
+  });
+  const auto vertices = RaggedRows<std::uint32_t>::collect(vertices_.size(), [&](const auto& add) {
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+      if (isCoupled[v] != 0) {
+        add(islandOf(v), v);
+      }
+    }
+  });
   sorted_.clear();
-  std::ranges::transform(contacts, std::back_inserter(sorted_), [&](const InIsland& i) { return coupled_[i.item]; });
+  std::ranges::transform(contacts.values(), std::back_inserter(sorted_), [&](std::uint32_t i) { return coupled_[i]; });
   coupled_.swap(sorted_);
-  std::ranges::transform(vertices, std::back_inserter(coupledVertices_), &InIsland::item);
+  coupledVertices_ = vertices.values();
   listIslands(contacts, vertices);
 }
 
-/// A counting sort by island. Items of the same island keep their order.
+/// @param contacts and vertices of each island; coupled_ and coupledVertices_ have the same order
 template <typename T>
-std::vector<typename ContactImpulses<T>::InIsland> ContactImpulses<T>::sortedByIsland(
-    std::span<const InIsland> items) const {
-  std::vector<std::size_t> next(vertices_.size() + 1, 0);
-  for (const InIsland& each : items) {
-    ++next[static_cast<std::size_t>(each.island) + 1];
-  }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<InIsland> sorted(items.size());
-  for (const InIsland& each : items) {
-    sorted[next[static_cast<std::size_t>(each.island)]++] = each;
-  }
-  return sorted;
-}
-
-/// @param contacts and vertices in the order of coupled_ and coupledVertices_
-template <typename T>
-void ContactImpulses<T>::listIslands(std::span<const InIsland> contacts, std::span<const InIsland> vertices) {
-  auto vertex = vertices.begin();
-  for (auto first = contacts.begin(); first != contacts.end();) {
-    const auto differs = [&](const InIsland& each) { return each.island != first->island; };
-    const auto last = std::find_if(first, contacts.end(), differs);
-    const auto lastVertex = std::find_if(vertex, vertices.end(), differs);
-    const std::span own(coupled_.begin() + (first - contacts.begin()), coupled_.begin() + (last - contacts.begin()));
-    islands_.push_back({own,
-                        {coupledVertices_.begin() + (vertex - vertices.begin()),
-                         coupledVertices_.begin() + (lastVertex - vertices.begin())},
-                        std::ranges::any_of(own, &Contact::isFeaturePair)});
-    first = last;
-    vertex = lastVertex;
+void ContactImpulses<T>::listIslands(const RaggedRows<std::uint32_t>& contacts,
+                                     const RaggedRows<std::uint32_t>& vertices) {
+  std::span<Contact> restOfContacts(coupled_);
+  std::span<const std::uint32_t> restOfVertices(coupledVertices_);
+  for (std::size_t island = 0; island < contacts.rowCount(); ++island) {
+    if (contacts[island].empty()) {
+      continue;
+    }
+    const std::span<Contact> own = restOfContacts.first(contacts[island].size());
+    islands_.push_back(
+        {own, restOfVertices.first(vertices[island].size()), std::ranges::any_of(own, &Contact::isFeaturePair)});
+    restOfContacts = restOfContacts.subspan(contacts[island].size());
+    restOfVertices = restOfVertices.subspan(vertices[island].size());
   }
 }
 

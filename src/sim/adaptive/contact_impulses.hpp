@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/forces/step_inputs.hpp"
+#include "sim/model/ragged_rows.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 #include "sim/simd/step_share.hpp"
 
@@ -91,12 +92,6 @@ class ContactImpulses {
     bool hasFeaturePairs = false;
   };
 
-  /// A contact or a vertex of an island.
-  struct InIsland {
-    int island = 0;
-    std::uint32_t item = 0;
-  };
-
   /// Islands from `first` to before `last`.
   struct IslandRange {
     std::size_t first = 0;
@@ -116,8 +111,7 @@ class ContactImpulses {
     }
   }
   void findIslands();
-  [[nodiscard]] std::vector<InIsland> sortedByIsland(std::span<const InIsland> items) const;
-  void listIslands(std::span<const InIsland> contacts, std::span<const InIsland> vertices);
+  void listIslands(const RaggedRows<std::uint32_t>& contacts, const RaggedRows<std::uint32_t>& vertices);
   [[nodiscard]] bool isSlow(const Island& island) const;
   void applyIsland(const Island& island, double time, double drift, simd::SlicedCloth<T>& cloth);
   void solveIsland(const Island& island);
