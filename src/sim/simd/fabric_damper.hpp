@@ -38,7 +38,8 @@ class FabricDamper {
 
   /// Damps the velocities of `state` over parameters.timeStep. The result does not depend on the number of threads.
   /// @param model must have a fabric  @param pins the pinned vertices that move
-  /// @return the change of the kinetic energy [J]; not positive without pins that move
+  /// @return the change of the kinetic energy [J]; up to rounding not positive, with pins that move at most the kinetic
+  /// energy of the whole cloth at the speed of the fastest pin
   double damp(const ClothModel& model, const CommonParameters& parameters, std::span<const PinVelocity> pins,
               ClothState& state);
 

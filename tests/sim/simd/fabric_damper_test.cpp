@@ -240,14 +240,20 @@ TEST(FabricDamper, leavesTheVelocitiesWhereItCannotBeStable) {
   EXPECT_EQ(state.velocities, before);
 }
 
-TEST(FabricDamper, isAsStableWithPinsThatMoveSlowly) {
-  const auto model = asFabric(*pinnedCloth(unevenSheet(17, 4)), damped(woven(), 1e-2, 0.0));
+/// All pinned vertices with one velocity.
+std::vector<PinVelocity> pinsMovingAt(const ClothModel& model, const Vec3& velocity) {
   std::vector<PinVelocity> pins;
-  for (std::size_t v = 0; v < model->restPositions.size(); ++v) {
-    if (model->pinned[v]) {
-      pins.push_back({v, Vec3(0.0, -1e-3, 0.0)});
+  for (std::size_t v = 0; v < model.restPositions.size(); ++v) {
+    if (model.pinned[v]) {
+      pins.push_back({v, velocity});
     }
   }
+  return pins;
+}
+
+TEST(FabricDamper, isAsStableWithPinsThatMoveSlowly) {
+  const auto model = asFabric(*pinnedCloth(unevenSheet(17, 4)), damped(woven(), 1e-2, 0.0));
+  const std::vector<PinVelocity> pins = pinsMovingAt(*model, Vec3(0.0, -1e-3, 0.0));
   for (const double stretch : {3.0, 1e4}) {
     ClothState state = shaken(*model, 0.02, 3);
     for (Vec3& position : state.positions) {
@@ -277,12 +283,9 @@ TEST(FabricDamper, countsTheVelocityOfPinsThatMove) {
   const auto model = asFabric(*pinnedCloth(unevenSheet(17, 4)), damped(woven(), 1e-3, 1e-2));
   const Vec3 velocity(0.5, 0.2, -1.0);
   ClothState start = stateAtRest(model->restPositions);
-  std::vector<PinVelocity> pins;
+  const std::vector<PinVelocity> pins = pinsMovingAt(*model, velocity);
   for (std::size_t v = 0; v < start.velocities.size(); ++v) {
     start.velocities[v] = model->pinned[v] ? Vec3(Vec3::Zero()) : velocity;
-    if (model->pinned[v]) {
-      pins.push_back({v, velocity});
-    }
   }
   ClothState moving = start;
   FabricDamper().damp(*model, stepOf(Precision::Double), pins, moving);
