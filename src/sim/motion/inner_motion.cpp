@@ -8,17 +8,9 @@ InnerMotion::InnerMotion(const ClothModel& model, const std::vector<std::vector<
                          const ClothState& state)
     : rigid_(state.velocities.size(), Vec3::Zero()) {
   for (const auto& piece : pieces) {
-    const MassMoments moments = momentsOf(model, piece, state.positions);
-    Vec3 linear = Vec3::Zero();
-    Vec3 angular = Vec3::Zero();
+    const RigidMotion motion = rigidMotionOf(model, piece, state);
     for (const std::size_t v : piece) {
-      const Vec3 momentum = model.vertexMass[v] * state.velocities[v];
-      linear += momentum;
-      angular += (state.positions[v] - moments.barycentre).cross(momentum);
-    }
-    const Vec3 spin = solveRigid(moments.inertia, angular);
-    for (const std::size_t v : piece) {
-      rigid_[v] = linear / moments.mass + spin.cross(state.positions[v] - moments.barycentre);
+      rigid_[v] = motion.velocityAt(state.positions[v]);
     }
   }
   for (std::size_t v = 0; v < rigid_.size(); ++v) {

@@ -19,6 +19,20 @@ MassMoments momentsOf(const ClothModel& model, std::span<const std::size_t> vert
   return moments;
 }
 
+RigidMotion rigidMotionOf(const ClothModel& model, std::span<const std::size_t> vertices, const ClothState& state) {
+  RigidMotion motion{.moments = momentsOf(model, vertices, state.positions)};
+  Vec3 linear = Vec3::Zero();
+  Vec3 angular = Vec3::Zero();
+  for (const std::size_t v : vertices) {
+    const Vec3 momentum = model.vertexMass[v] * state.velocities[v];
+    linear += momentum;
+    angular += (state.positions[v] - motion.moments.barycentre).cross(momentum);
+  }
+  motion.velocity = linear / motion.moments.mass;
+  motion.spin = solveRigid(motion.moments.inertia, angular);
+  return motion;
+}
+
 Vec3 solveRigid(const Mat3& matrix, const Vec3& rightSide) {
   constexpr double negligible = 1e-9;
   Eigen::CompleteOrthogonalDecomposition<Mat3> decomposition;

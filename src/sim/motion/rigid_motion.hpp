@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/model/cloth_model.hpp"
+#include "sim/model/cloth_state.hpp"
 
 #include <span>
 
@@ -15,6 +16,21 @@ struct MassMoments {
 
 [[nodiscard]] MassMoments momentsOf(const ClothModel& model, std::span<const std::size_t> vertices,
                                     const std::vector<Vec3>& positions);
+
+/// The rigid motion of some vertices that has their momentum.
+struct RigidMotion {
+  MassMoments moments;
+  Vec3 velocity = Vec3::Zero();  ///< of the barycentre [m/s]
+  Vec3 spin = Vec3::Zero();      ///< angular velocity [1/s]
+
+  /// The velocity at a position [m/s].
+  [[nodiscard]] Vec3 velocityAt(const Vec3& position) const {
+    return velocity + spin.cross(position - moments.barycentre);
+  }
+};
+
+[[nodiscard]] RigidMotion rigidMotionOf(const ClothModel& model, std::span<const std::size_t> vertices,
+                                        const ClothState& state);
 
 /// The shortest x with matrix x = right side, in the sense of least squares if the matrix is singular. The rotation
 /// about an axis without inertia is then zero.
