@@ -67,7 +67,9 @@ class Runner {
     trajectory_.largestResidual = std::max(trajectory_.largestResidual, report.residual);
     if (watch_.energy) {
       balance_.add(model_, parameters_, inputs, before_, state, stepper_.contact().unresolved(),
-                   {stepper_.earlierContactWork(), stepper_.dampingWork()});
+                   {.earlierContact = stepper_.earlierContactWork(),
+                    .damping = stepper_.dampingWork(),
+                    .unsteadyAir = stepper_.unsteadyAirWork()});
     }
     if (watch_.energyPeak) {
       const double energy = sim::energyOf(model_, parameters_, state).total();

@@ -61,7 +61,9 @@ void Simulation::step() {
   }
   if (balance_) {
     balance_->add(*model_, parameters, inputs_, lastFinite_, state_, stepper_->contact().unresolved(),
-                  {stepper_->earlierContactWork(), stepper_->dampingWork()});
+                  {.earlierContact = stepper_->earlierContactWork(),
+                   .damping = stepper_->dampingWork(),
+                   .unsteadyAir = stepper_->unsteadyAirWork()});
   }
   stepGhost();
   checkAccuracy();

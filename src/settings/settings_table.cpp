@@ -94,7 +94,9 @@ constexpr std::array airModels{
          {"Paper's", "Eqs. 18 to 20: lift is largest where the cloth is parallel to the wind, and jumps there."}},
     Word{sim::AirModel::Plate,
          "plate",
-         {"Thin plate", "Measured on falling plates: lift with sin 2a of the angle of attack a, drag with sin^2 a."}}};
+         {"Thin plate",
+          "Measured on falling plates: lift with sin 2a of the angle of attack a, drag with sin^2 a. "
+          "Free flat sheets flutter and tumble."}}};
 
 constexpr std::array selfCollisions{
     Word{sim::contact::SelfCollision::Auto,

@@ -93,6 +93,7 @@ void EnergyBalance::add(const ClothModel& model, const StepParameters& parameter
   change_ += end - energyOf(model, parameters, before).total();
   contact_ += apart.earlierContact;
   damping_ += apart.damping;
+  air_ += apart.unsteadyAir;
   if (unresolved != nullptr) {
     contact_ += end - energyOf(model, parameters, *unresolved).total();
   }

@@ -11,6 +11,7 @@ namespace drape::sim {
 struct WorkApart {
   double earlierContact = 0.0;  ///< by contact in the contact substeps before the last one
   double damping = 0.0;         ///< by the damping of a fabric and by settling
+  double unsteadyAir = 0.0;     ///< by the unsteady forces of the air (UnsteadyAir)
 };
 
 /// The energy balance of a cloth over the added steps: the work of damping, air, attachment and contact, and the

@@ -119,6 +119,12 @@ bool differFrom(const Vec3& mean, const std::vector<MovedPin>& pins) {
                              [&](const MovedPin& pin) { return (pin.by - mean).norm() > rounding * pin.by.norm(); });
 }
 
+/// The smallest number of equal parts of a time that are at most `longest`; a thousand if there are more.
+int partsOf(double time, double longest) {
+  constexpr double rounding = 1e-9;  // [-]
+  return static_cast<int>(std::clamp(std::ceil(time / longest * (1.0 - rounding)), 1.0, 1000.0));
+}
+
 /// A state that was replaced since the last step, as by a new scene, has no history, or one of another size.
 bool hasHistory(const ClothState& state, double timeStep) {
   return state.history.timeStep == timeStep && state.history.positions.size() == state.positions.size();
@@ -179,6 +185,7 @@ StepReport Stepper::advance(const ClothModel& model, const StepParameters& param
                             ClothState& state) {
   earlierContactWork_ = 0.0;
   dampingWork_ = 0.0;
+  unsteadyAirWork_ = 0.0;
   contactLoadsAreOld_ = true;
   if (solver_->sleeps(model, parameters, inputs, state)) {
     contactSubsteps_ = 1;
@@ -216,6 +223,7 @@ StepReport Stepper::stepInShorterParts(const ClothModel& model, const StepParame
   contactSubsteps_ *= static_cast<int>(std::clamp(std::ceil(largestCorrection_ / allowed), 2.0, maxFinerSubsteps));
   state = contactStart_;
   earlierContactWork_ = 0.0;
+  unsteadyAirWork_ = 0.0;
   contactLoadsAreOld_ = true;
   return stepInParts(model, parameters, inputs, state);
 }
@@ -244,22 +252,28 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
   dampingWork_ += damper_->damp(model, parameters, pins, state);
 }
 
+/// The contact substeps that resolve the motion of flat pieces in the air.
+int Stepper::unsteadyAirSubsteps(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
+  unsteadyAir_.begin(model, parameters, state);
+  return std::min(maxFastContactSubsteps, partsOf(parameters.timeStep, unsteadyAir_.longestStep()));
+}
+
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
-  constexpr double rounding = 1e-9;  // [-]
-  const int nearContacts = static_cast<int>(std::ceil(parameters.timeStep / maxContactSubstepTime * (1.0 - rounding)));
+  const int inAir = unsteadyAirSubsteps(model, parameters, state);
+  const int nearContacts = partsOf(parameters.timeStep, maxContactSubstepTime);
   const double allowedMotion = maxMotionInEdges * meanEdge_.get(model, meanEdge);
   const bool couldBeFast = info_->resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact &&
                            2.0 * maxMotion(state, parameters.timeStep) > allowedMotion;
   if (nearContacts <= 1 && !couldBeFast) {
-    return 1;
+    return inAir;
   }
   const bool isSewing = info_->resolvesContacts && !seams_.empty();
   const contact::SelfApproach itself = info_->resolvesContacts
                                            ? contact_.approachOfItself(model, parameters, parameters.contact, state)
                                            : contact::SelfApproach{};
   const double fast = itself.motion > allowedMotion ? std::ceil(itself.motion / allowedMotion) : 1.0;
-  const int fastContacts = static_cast<int>(std::min<double>(maxFastContactSubsteps, fast));
+  const int fastContacts = std::max(inAir, static_cast<int>(std::min<double>(maxFastContactSubsteps, fast)));
   const bool nearBodies = nearContacts > 1 && contact::meetsBodies(parameters.contact, inputs) &&
                           contact_.isNearBodies(model, parameters, parameters.contact, inputs, state);
   return std::max(itself.isNear || nearBodies || isSewing ? nearContacts : 1, fastContacts);
@@ -309,9 +323,13 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   planPins(model, inputs, state);
   closing_.plan(seams_, parameters.timeStep, state);
   const StepInputs own = inputsOfSolver(model, parameters, inputs, state);
+  beginUnsteadyAir(model, parameters, inputs, state);
   StepReport total = info_->resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact
                          ? moveWithSubstepContacts(model, parameters, own, state)
                          : moveBySolver(model, parameters, own, state);
+  if (!(total.choice && total.choice->sleeping)) {
+    unsteadyAirWork_ += unsteadyAir_.apply(model, state);
+  }
   if (closing_.acts()) {
     closeSeams(model, parameters, state);
   }
@@ -335,6 +353,15 @@ StepReport Stepper::stepWithContact(const ClothModel& model, const StepParameter
   dampingWork_ += total.settlingWork;
   state.time = end;  // not the sum of the substeps, which has rounding errors
   return total;
+}
+
+void Stepper::beginUnsteadyAir(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                               const ClothState& state) {
+  unsteadyAir_.begin(model, parameters, state);
+  if (unsteadyAir_.acts() && contact::meetsBodies(parameters.contact, inputs) &&
+      contact_.isNearBodies(model, parameters, parameters.contact, inputs, state)) {
+    unsteadyAir_.stop();
+  }
 }
 
 StepReport Stepper::moveBySolver(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,

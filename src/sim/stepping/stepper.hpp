@@ -5,6 +5,7 @@
 #include "sim/contact/contact_stage.hpp"
 #include "sim/model/model_cache.hpp"
 #include "sim/motion/momentum.hpp"
+#include "sim/motion/unsteady_air.hpp"
 #include "sim/simd/fabric_damper.hpp"
 #include "sim/solvers/solver.hpp"
 #include "sim/stepping/contact_loads.hpp"
@@ -37,6 +38,10 @@ namespace drape::sim {
 /// start of each contact substep and applies their impulses in its own substeps (SolverInfo::resolvesContacts). Contact
 /// at the end then corrects what is left.
 ///
+/// Flat pieces that fall freely get the unsteady forces of the air (UnsteadyAir) after the solver's part of a contact
+/// substep. Near a body the air cannot flow around them, so they do not get these forces there. A step is divided into
+/// contact substeps that resolve their motion.
+///
 /// Seams that are not welded yet are drawn together in the same way (SeamClosing): in the substeps of a solver that
 /// resolves contacts, and before contact at the end of each contact substep.
 class Stepper {
@@ -68,6 +73,8 @@ class Stepper {
   [[nodiscard]] double earlierContactWork() const { return earlierContactWork_; }
   /// Energy change in the last step by the damping of the fabric and by settling [J].
   [[nodiscard]] double dampingWork() const { return dampingWork_; }
+  /// Energy change in the last step by the unsteady forces of the air [J].
+  [[nodiscard]] double unsteadyAirWork() const { return unsteadyAirWork_; }
   /// Whether to keep the loads of contacts on the vertices. Off by default. Does not change the motion.
   void keepContactLoads(bool kept);
   /// The loads of contacts in the last step. While the cloth sleeps, those of the last step before. Unknown before the
@@ -84,6 +91,8 @@ class Stepper {
 
   [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
                                       const StepInputs& inputs, const ClothState& state);
+  [[nodiscard]] int unsteadyAirSubsteps(const ClothModel& model, const StepParameters& parameters,
+                                        const ClothState& state);
   StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                    int contactSubsteps, ClothState& state);
   /// The step with the material that acts on the cloth (actingMaterial).
@@ -106,6 +115,9 @@ class Stepper {
   StepReport moveWithSubstepContacts(const ClothModel& model, const StepParameters& parameters, StepInputs inputs,
                                      ClothState& state);
 
+  /// Stores what the unsteady forces of the air need at the start of a contact substep.
+  void beginUnsteadyAir(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                        const ClothState& state);
   /// Draws the seams together at the end of a contact substep.
   void closeSeams(const ClothModel& model, const StepParameters& parameters, ClothState& state);
   /// Adds the loads of a contact substep.
@@ -159,6 +171,8 @@ class Stepper {
   std::unique_ptr<simd::FabricDamper> damper_;  // null until a fabric damps
   double earlierContactWork_ = 0.0;             // [J]
   double dampingWork_ = 0.0;                    // [J]
+  UnsteadyAir unsteadyAir_;
+  double unsteadyAirWork_ = 0.0;  // [J]
   std::vector<PinMotion> pinMotions_;
   std::vector<SubstepContact> substepContacts_;  // of the present contact substep; those of seams come last
   std::size_t seamContacts_ = 0;                 // how many of these are of seams
