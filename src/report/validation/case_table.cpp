@@ -19,6 +19,7 @@ constexpr CaseGroup motionGroup = CaseGroup::Motion;
 
 constexpr std::array frequencyResolutions{8, 16, 32};
 constexpr std::array coarseResolutions{5, 10, 20};
+constexpr std::array stripResolutions{4, 6, 8};
 constexpr std::array discResolutions{12, 24, 48};
 constexpr std::array remeshedResolutions{18, 34, 48};  // a half, two and four times the vertices of 24 cells
 constexpr std::array oneKind{MeshKind::Alternating};
@@ -292,7 +293,12 @@ std::vector<ValidationCase> motionCases() {
     motionOf("terminal_velocity", "Falling sheet: terminal velocity",
         "speed at which drag carries the weight", "m/s", terminalVelocity),
     motionOf("fall_distance", "Falling sheet: distance",
-        "distance after the time v / g, v^2 / g log(cosh(1)), with the terminal velocity v", "m", fallDistance),
+        "distance after the time v / g, a v^2 / g log(cosh(1 / a)), with the terminal velocity v and the added mass in a",
+        "m", fallDistance),
+    {.group = motionGroup, .name = "flutter_tumble", .title = "Falling strip: from fluttering to tumbling",
+        .compared = "Froude number from which it tumbles, 0.67 (Belmonte et al. 1998)", .unit = "", .aim = 0.2,
+        .run = froudeOfTumbling, .resolutions = stripResolutions, .kinds = oneKind, .everyResolution = true,
+        .shortResolutions = 1, .subject = "auto"},
   };
 }
 // clang-format on

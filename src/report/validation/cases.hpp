@@ -38,6 +38,7 @@ namespace drape::report::validation {
 [[nodiscard]] Comparison inclineSlides(const CaseMesh& mesh);
 [[nodiscard]] Comparison terminalVelocity(const CaseMesh& mesh);
 [[nodiscard]] Comparison fallDistance(const CaseMesh& mesh);
+[[nodiscard]] Comparison froudeOfTumbling(const CaseMesh& mesh);
 
 // drape_cases.cpp; the subject is a preset
 [[nodiscard]] Comparison cusick(const CaseMesh& mesh);

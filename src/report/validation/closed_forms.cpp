@@ -175,8 +175,12 @@ double terminalSpeed(double density, double airDensity, double drag, double grav
   return std::sqrt(2.0 * density * gravity / (airDensity * drag));
 }
 
+double addedMassOfSquare(double airDensity, double side) {
+  return 0.579 * 0.25 * std::numbers::pi * airDensity * side;
+}
+
 double TerminalFall::distance(double time) const {
-  return speed * speed / gravity * std::log(std::cosh(gravity * time / speed));
+  return inertia * speed * speed / gravity * std::log(std::cosh(gravity * time / (inertia * speed)));
 }
 
 }  // namespace drape::report::validation

@@ -125,12 +125,17 @@ inline constexpr double peirceAngle = 41.5 / 180.0 * 3.14159265358979323846;
 /// [m/s]. @param density of the sheet [kg/m^2]  @param airDensity rho [kg/m^3]  @param drag C_D [-]
 [[nodiscard]] double terminalSpeed(double density, double airDensity, double drag, double gravity);
 
+/// The mass of the air that a square plate accelerates along its normal, per area: 0.579 pi/4 rho L [kg/m^2] (Brennen
+/// 1982, A review of added mass and fluid inertial forces).
+[[nodiscard]] double addedMassOfSquare(double airDensity, double side);
+
 /// A fall from rest against drag that rises with the square of the speed.
 struct TerminalFall {
   double speed = 0.0;    ///< terminal [m/s]
   double gravity = 0.0;  ///< [m/s^2]
+  double inertia = 1.0;  ///< mass with the added mass of the air, over the mass [-]
 
-  /// After that time [s]: speed^2 / g log(cosh(g t / speed)) [m].
+  /// After that time [s]: a speed^2 / g log(cosh(g t / (a speed))) [m], with the inertia a.
   [[nodiscard]] double distance(double time) const;
 };
 
