@@ -55,16 +55,19 @@ struct Plate {
   }
 };
 
-/// A rectangle of the sides a and b has the variances a^2 / 12 and b^2 / 12.
+/// A rectangle of the sides a and b has the variances a^2 / 12 and b^2 / 12. Mass that is lumped at the vertices of a
+/// coarse mesh makes them too large, so the sides are scaled to the area.
 Plate plateOf(const MassMoments& moments, double area) {
   const Mat3 second = 0.5 * moments.inertia.trace() * Mat3::Identity() - moments.inertia;
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(second / moments.mass);
   const auto side = [&](int axis) { return std::sqrt(12.0 * std::max(0.0, axes.eigenvalues()[axis])); };
+  const double product = side(1) * side(2);
+  const double scale = product > 0.0 ? std::sqrt(area / product) : 0.0;
   return {.along = axes.eigenvectors().col(2),
           .across = axes.eigenvectors().col(1),
           .normal = axes.eigenvectors().col(0),
-          .length = side(2),
-          .width = side(1),
+          .length = scale * side(2),
+          .width = scale * side(1),
           .area = area};
 }
 

@@ -85,7 +85,6 @@ TEST(UnsteadyAir, makesAPlateHeavierAlongItsNormalOnly) {
   const Vec3 velocity = motionOf(*model, after(*model, thinAir(), moving(*model, Vec3::Zero()), by)).velocity;
   EXPECT_NEAR(velocity.x(), by.x(), 1e-12);
   EXPECT_NEAR(velocity.z(), by.z(), 1e-12);
-  // The grid's mass is lumped at its vertices, so its moments are 0.25 % larger than those of the plate.
   EXPECT_NEAR(velocity.y(), by.y() * plateMass / (plateMass + addedMass(side, 2.0 * side)), 3e-3 * by.y());
 }
 

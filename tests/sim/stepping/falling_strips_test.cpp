@@ -61,7 +61,7 @@ StepParameters plateAir() {
 
 /// How a strip turned about z.
 struct Turning {
-  double most = 0.0;  // in one direction from the start [revolutions]
+  double largest = 0.0;  // in one direction from the start [revolutions]
   int reversals = 0;
 };
 
@@ -78,7 +78,7 @@ Turning fall(Strip strip, const char* solver, double seconds) {
     turning.reversals += by * rate < 0.0 ? 1 : 0;
     turned += by;
     rate = by;
-    turning.most = std::max(turning.most, std::abs(turned) / (2.0 * std::numbers::pi));
+    turning.largest = std::max(turning.largest, std::abs(turned) / (2.0 * std::numbers::pi));
     before = now;
   }
   return turning;
@@ -88,12 +88,12 @@ class FallingStrip : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(FallingStrip, fluttersWhereItsFroudeNumberIsSmall) {
   const Turning turning = fall(Strip(0.35), GetParam(), 3.0);
-  EXPECT_LT(turning.most, 0.4);
+  EXPECT_LT(turning.largest, 0.4);
   EXPECT_GE(turning.reversals, 4);
 }
 
 TEST_P(FallingStrip, tumblesWhereItsFroudeNumberIsLarge) {
-  EXPECT_GT(fall(Strip(0.85), GetParam(), 4.0).most, 1.2);
+  EXPECT_GT(fall(Strip(0.85), GetParam(), 4.0).largest, 1.2);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FallingStrip, ::testing::Values("auto", "newton"),
