@@ -216,7 +216,8 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
       clampedPlanOfCost(model, rates, parameters, std::max(tuning.minEvaluations, cost / costWithLevels));
   withLevels.usesCoarseLevels = true;
   withLevels.softens = true;
-  return withLevels;
+  return isHardlySlowerThanLevels(minCost, withLevels.substeps) ? unclamped(static_cast<int>(need.minimum))
+                                                                : withLevels;
 }
 
 }  // namespace
@@ -265,6 +266,10 @@ double evaluationsInBudget(const ClothModel& model, const CommonParameters& para
 double maxEvaluations(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
   const double springs = costOfEvaluation(model);
   return std::max(evaluationsInBudget(model, parameters, options), tuning.maxSpringEvaluations / springs);
+}
+
+bool isHardlySlowerThanLevels(double evaluations, double substeps) {
+  return evaluations <= toleratedCostRatio * (tuning.levelOverhead + costWithLevels * substeps);
 }
 
 bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {

@@ -61,6 +61,10 @@ struct StepPlan {
 [[nodiscard]] double maxEvaluations(const ClothModel& model, const CommonParameters& parameters,
                                     const AutoOptions& options);
 
+/// Whether a step of that many force evaluations takes at most 1.6 times as long as one with coarse levels, which take
+/// some time in every step (AutoTuning::levelOverhead). @param substeps of the step with coarse levels
+[[nodiscard]] bool isHardlySlowerThanLevels(double evaluations, double substeps);
+
 /// Whether springs may be softened: if the user allows it, or if a step with the full stiffness would exceed
 /// `maxEvaluations`.
 [[nodiscard]] bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options);
@@ -83,7 +87,8 @@ struct StepPlan {
 /// - smaller B, softening not allowed: as many substeps as all but the fastest hundredth of the vertices need;
 /// - smaller B, softening allowed: Verlet with clamped springs;
 /// - and where clamped springs keep less than half of their stiffness and the load strains them by 0.001 or more at the
-///   pins: half as many substeps, with coarse levels, which double the cost of a substep.
+///   pins: half as many substeps, with coarse levels, which double the cost of a substep. Or Verlet with the full
+///   stiffness, if that is hardly slower (isHardlySlowerThanLevels).
 /// Depends on its arguments only.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                                 const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory);

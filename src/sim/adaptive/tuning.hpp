@@ -47,6 +47,10 @@ struct AutoTuning {
   /// (docs/experiments/2026-11-23-fabric-pass.md) [-].
   double membraneCost = 1.35;
   double fabricCost = 2.05;
+  /// Cost of the coarse levels in a step, apart from that in its substeps, in force evaluations [-]. Larger: small
+  /// budgets keep the full stiffness at higher stiffness, and are exceeded further. Smaller: cloth is softened whose
+  /// full stiffness takes hardly longer.
+  double levelOverhead = 10.0;
   /// Cost of a force evaluation in double, in evaluations in float [-].
   double doubleCost = 2.0;
 

@@ -479,12 +479,14 @@ std::optional<SolverWarning> costWarning(const ClothModel& model, const StepPara
                : std::optional(
                      SolverWarning{.kind = SolverWarning::Kind::SlowFabric, .costRatio = 0.5 * hOmega / evaluations});
   }
-  if (!adaptive::maySoften(model, parameters, parameters.automatic)) {
-    return SolverWarning{.kind = SolverWarning::Kind::SlowMotion, .costRatio = 0.5 * hOmega / evaluations};
-  }
   const double cost =
       parameters.automatic.soften ? evaluations : adaptive::maxEvaluations(model, parameters, parameters.automatic);
-  const double clamped = std::floor(cost / adaptive::costWithLevels) * adaptive::tuning.clampHOmega / hOmega;
+  const double withLevels = std::max(adaptive::tuning.minEvaluations, std::floor(cost / adaptive::costWithLevels));
+  if (!adaptive::maySoften(model, parameters, parameters.automatic) ||
+      adaptive::isHardlySlowerThanLevels(0.5 * hOmega, withLevels)) {
+    return SolverWarning{.kind = SolverWarning::Kind::SlowMotion, .costRatio = 0.5 * hOmega / evaluations};
+  }
+  const double clamped = withLevels * adaptive::tuning.clampHOmega / hOmega;
   return SolverWarning{.kind = SolverWarning::Kind::Softened,
                        .stiffnessScale = clamped * clamped,
                        .neededCost = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6),

@@ -75,8 +75,15 @@ TEST_F(StepPlanning, exceedsTheBudgetALittleWhereAllSpringsThenKeepTheirStiffnes
   EXPECT_FALSE(plan(2.0).usesCoarseLevels);
 }
 
+TEST_F(StepPlanning, keepsTheFullStiffnessWhereItIsHardlySlowerThanCoarseLevels) {
+  parameters.material.stiffness = 1000.0;  // 16 evaluations; 4 substeps with levels take as long as 18
+  const StepPlan chosen = plan(2.0);
+  EXPECT_FALSE(chosen.softens);
+  EXPECT_EQ(chosen.substeps, 16);
+}
+
 TEST_F(StepPlanning, clampsSpringsAndAddsLevelsWhereTheyKeepLittleStiffness) {
-  parameters.material.stiffness = 1000.0;
+  parameters.material.stiffness = 1e4;
   const StepPlan far = plan(8.0);
   EXPECT_TRUE(far.usesCoarseLevels);
   EXPECT_EQ(far.substeps, 4);
