@@ -8,10 +8,11 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <utility>
 
 namespace drape::sim {
 namespace {
@@ -71,21 +72,17 @@ Plate plateOf(const MassMoments& moments, double area) {
           .area = area};
 }
 
-/// The torque of kernels::plateForce on a rigid plate, by Gauss's rule with four points a side [N m].
-/// @param velocity of the centre relative to the air [m/s]
-Vec3 torqueOfPlate(const Plate& plate, const AirParameters& air, const Vec3& velocity, const Vec3& spin) {
-  constexpr std::array<double, 4> points{-0.861136311594053, -0.339981043584856, 0.339981043584856, 0.861136311594053};
-  constexpr std::array<double, 4> weights{0.173927422568727, 0.326072577431273, 0.326072577431273, 0.173927422568727};
+/// The torque of kernels::plateForce on a flat piece that turns rigidly [N m].
+/// @param motion relative to the air
+Vec3 torqueOfPlate(const ClothModel& model, std::span<const std::size_t> vertices, const std::vector<Vec3>& positions,
+                   const AirParameters& air, const RigidMotion& motion, const Vec3& normal) {
   Vec3 torque = Vec3::Zero();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Vec3 arm = 0.5 * (points[i] * plate.length * plate.along + points[k] * plate.width * plate.across);
-      const Vec3 relative = velocity + spin.cross(arm);
-      const double speed = relative.norm();
-      if (speed > 0.0) {
-        const kernels::AirFactors factors = airFactorsOf(air, weights[i] * weights[k] * plate.area);
-        torque += arm.cross(kernels::plateForce(plate.normal, speed, relative / speed, factors));
-      }
+  for (const std::size_t v : vertices) {
+    const Vec3 relative = motion.velocityAt(positions[v]);
+    const double speed = relative.norm();
+    if (speed > 0.0) {
+      const Vec3 force = kernels::plateForce(normal, speed, relative / speed, airFactorsOf(air, model.vertexArea[v]));
+      torque += (positions[v] - motion.moments.barycentre).cross(force);
     }
   }
   return torque;
@@ -101,6 +98,20 @@ double timeFor(double distance, double speed) {
 double slowingOf(double impulse, double momentum) {
   const double decay = momentum > 0.0 ? impulse / momentum : 0.0;
   return decay > 0.0 ? -std::expm1(-decay) / decay : 1.0;
+}
+
+/// The angular momentum that a piece keeps in a step since the air resists its rotation less than with
+/// kernels::plateForce at every vertex [kg m^2/s]. @param motion relative to the air, without rotation about the normal
+Vec3 keptMomentum(const ClothModel& model, std::span<const std::size_t> vertices, const std::vector<Vec3>& positions,
+                  const AirParameters& air, const RigidMotion& motion, const Vec3& normal, double time) {
+  const auto torqueOf = [&](double share) {
+    RigidMotion slower = motion;
+    slower.spin *= share;
+    return torqueOfPlate(model, vertices, positions, air, slower, normal);
+  };
+  const Vec3 resistance = torqueOf(1.0);
+  const double slowing = slowingOf(time * resistance.norm(), (motion.moments.inertia * motion.spin).norm());
+  return slowing * time * (torqueOf(rotationShare) - resistance);
 }
 
 /// The matrix of v -> vector x v.
@@ -178,16 +189,14 @@ UnsteadyAir::Share UnsteadyAir::shareOf(const ClothModel& model, const CommonPar
   const double speed = velocity.norm() + plate.length * spin.norm();
   const double time = std::min(parameters.timeStep, timeFor(maxMotion * plate.width, speed));
   const double airMotion = maxAirMass * motion.moments.mass / (density * plate.area);
-  const Vec3 resistance = flatness * torqueOfPlate(plate, parameters.air, velocity, spin);
-  const Vec3 lessResistance =
-      flatness * torqueOfPlate(plate, parameters.air, velocity, rotationShare * spin) - resistance;
-  const double slowing = slowingOf(time * resistance.norm(), (motion.moments.inertia * spin).norm());
+  const RigidMotion relative{.moments = motion.moments, .velocity = velocity, .spin = spin};
+  const Vec3 kept = keptMomentum(model, piece.vertices, state.positions, parameters.air, relative, plate.normal, time);
   return {.piece = &piece,
           .flatness = flatness,
           .longestStep = timeFor(std::min(maxMotion * plate.width, airMotion), speed),
           .time = time,
           .linear = momentum + 0.5 * time * turning.cross(velocity),
-          .angular = plate.addedInertia(density) * spin + slowing * time * lessResistance,
+          .angular = plate.addedInertia(density) * spin + flatness * kept,
           .turning = turning};
 }
 
