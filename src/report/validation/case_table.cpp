@@ -19,7 +19,7 @@ constexpr CaseGroup motionGroup = CaseGroup::Motion;
 
 constexpr std::array frequencyResolutions{8, 16, 32};
 constexpr std::array coarseResolutions{5, 10, 20};
-constexpr std::array stripResolutions{4, 6, 8};
+constexpr std::array stripResolutions{6, 8, 12};
 constexpr std::array discResolutions{12, 24, 48};
 constexpr std::array remeshedResolutions{18, 34, 48};  // a half, two and four times the vertices of 24 cells
 constexpr std::array oneKind{MeshKind::Alternating};
