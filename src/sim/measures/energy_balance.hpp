@@ -34,7 +34,7 @@ class EnergyBalance {
   [[nodiscard]] double change() const { return change_; }
   /// Work of the damping of springs or of a fabric [J]; negative if it removes energy.
   [[nodiscard]] double damping() const { return damping_; }
-  /// Work of drag and lift [J]; of either sign in wind.
+  /// Work of the air [J]; of either sign in wind.
   [[nodiscard]] double air() const { return air_; }
   /// Work of the attachment [J].
   [[nodiscard]] double attachment() const { return attachment_; }

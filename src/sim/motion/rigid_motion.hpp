@@ -27,6 +27,10 @@ struct RigidMotion {
   [[nodiscard]] Vec3 velocityAt(const Vec3& position) const {
     return velocity + spin.cross(position - moments.barycentre);
   }
+  /// [J]
+  [[nodiscard]] double kineticEnergy() const {
+    return 0.5 * (moments.mass * velocity.squaredNorm() + spin.dot(moments.inertia * spin));
+  }
 };
 
 [[nodiscard]] RigidMotion rigidMotionOf(const ClothModel& model, std::span<const std::size_t> vertices,

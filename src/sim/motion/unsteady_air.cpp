@@ -2,6 +2,7 @@
 
 #include "sim/forces/external_forces.hpp"
 #include "sim/forces/kernels.hpp"
+#include "sim/model/normals.hpp"
 #include "sim/model/pieces.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -121,11 +122,6 @@ Mat3 crossMatrix(const Vec3& vector) {
   return matrix;
 }
 
-Vec3 areaVector(const Triangle& triangle, const std::vector<Vec3>& positions) {
-  const Vec3& corner = positions[triangle[0]];
-  return 0.5 * (positions[triangle[1]] - corner).cross(positions[triangle[2]] - corner);
-}
-
 }  // namespace
 
 double addedMassFactor(double shorter, double longer) {
@@ -159,9 +155,9 @@ double UnsteadyAir::flatnessOf(const ClothModel& model, const Piece& piece, cons
     Vec3 sum = Vec3::Zero();
     double area = 0.0;
     for (std::size_t i = 0; i < piece.triangles.size(); i += stride) {
-      const Vec3 vector = areaVector(model.triangles[piece.triangles[i]], state.positions);
-      sum += vector;
-      area += vector.norm();
+      const Vec3 normal = doubleAreaNormal(model.triangles[piece.triangles[i]], state.positions);
+      sum += normal;
+      area += normal.norm();
     }
     return area > 0.0 ? sum.norm() / area : 0.0;
   };
@@ -224,32 +220,37 @@ void UnsteadyAir::begin(const ClothModel& model, const CommonParameters& paramet
   }
 }
 
+RigidMotion UnsteadyAir::changedBy(const Share& share, const RigidMotion& motion) const {
+  const MassMoments& moments = motion.moments;
+  const Plate plate = plateOf(moments, share.piece->area);
+  const double density = share.flatness * density_;
+  const Mat3 addedMass = plate.addedMass(density) * plate.normal * plate.normal.transpose();
+  const Mat3 turning = 0.5 * share.time * crossMatrix(share.turning);
+  const Vec3 momentum = moments.mass * (motion.velocity - wind_) + share.linear;
+  const Vec3 velocity = solveRigid(moments.mass * Mat3::Identity() + addedMass - turning, momentum);
+  const Vec3 torque = -velocity.cross(addedMass * velocity);
+  RigidMotion changed = motion;
+  changed.velocity = wind_ + velocity;
+  changed.spin = solveRigid(moments.inertia + plate.addedInertia(density),
+                            moments.inertia * motion.spin + share.angular + share.time * torque);
+  return changed;
+}
+
 double UnsteadyAir::apply(const ClothModel& model, ClothState& state) const {
   double work = 0.0;
   for (const Share& share : shares_) {
     const RigidMotion motion = rigidMotionOf(model, share.piece->vertices, state);
-    const MassMoments& moments = motion.moments;
-    const Plate plate = plateOf(moments, share.piece->area);
-    const double density = share.flatness * density_;
-    const Mat3 addedMass = plate.addedMass(density) * plate.normal * plate.normal.transpose();
-    const Mat3 turning = 0.5 * share.time * crossMatrix(share.turning);
-    const Vec3 momentum = moments.mass * (motion.velocity - wind_) + share.linear;
-    const Vec3 velocity = solveRigid(moments.mass * Mat3::Identity() + addedMass - turning, momentum);
-    const Vec3 torque = -velocity.cross(addedMass * velocity);
-    RigidMotion changed = motion;
-    changed.velocity = wind_ + velocity;
-    changed.spin = solveRigid(moments.inertia + plate.addedInertia(density),
-                              moments.inertia * motion.spin + share.angular + share.time * torque);
+    const RigidMotion changed = changedBy(share, motion);
     const Vec3 turn = changed.spin - motion.spin;
     const Eigen::AngleAxisd rotation(0.5 * timeStep_ * turn.norm(), turn.normalized());
     const Vec3 shift = 0.5 * timeStep_ * (changed.velocity - motion.velocity);
+    const Vec3& barycentre = motion.moments.barycentre;
     for (const std::size_t v : share.piece->vertices) {
-      const Vec3 arm = state.positions[v] - moments.barycentre;
+      const Vec3 arm = state.positions[v] - barycentre;
       state.velocities[v] += changed.velocityAt(state.positions[v]) - motion.velocityAt(state.positions[v]);
-      state.positions[v] = moments.barycentre + shift + rotation * arm;
+      state.positions[v] = barycentre + shift + rotation * arm;
     }
-    work += 0.5 * moments.mass * (changed.velocity.squaredNorm() - motion.velocity.squaredNorm()) +
-            0.5 * (changed.spin.dot(moments.inertia * changed.spin) - motion.spin.dot(moments.inertia * motion.spin));
+    work += changed.kineticEnergy() - motion.kineticEnergy();
   }
   return work;
 }

@@ -72,6 +72,8 @@ class UnsteadyAir {
   [[nodiscard]] static double flatnessOf(const ClothModel& model, const Piece& piece, const ClothState& state);
   [[nodiscard]] static Share shareOf(const ClothModel& model, const CommonParameters& parameters, const Piece& piece,
                                      double flatness, const ClothState& state);
+  /// The rigid motion with these forces at the end of a step. @param motion without them
+  [[nodiscard]] RigidMotion changedBy(const Share& share, const RigidMotion& motion) const;
 
   ModelCache<std::vector<Piece>> pieces_;
   std::vector<Share> shares_;
