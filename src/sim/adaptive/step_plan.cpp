@@ -212,6 +212,11 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
   if (hardlyLoaded || medianStiffnessScale(rates, parameters, softer) >= tuning.enoughStiffness) {
     return softer;
   }
+  if (memory.withoutLevels > 0) {
+    softer = clampedPlanOfCost(model, rates, parameters, cost + tuning.levelOverhead);
+    softer.softens = true;
+    return softer;
+  }
   StepPlan withLevels =
       clampedPlanOfCost(model, rates, parameters, std::max(tuning.minEvaluations, cost / costWithLevels));
   withLevels.usesCoarseLevels = true;

@@ -70,13 +70,7 @@ class AdaptiveStep {
                                  const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
     contactWork_ = 0.0;
     saferPlans_ = 0;
-    adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
-    for (int i = 0; i < memory.retryLevel; ++i) {
-      plan = adaptive::saferPlan(plan);
-    }
-    plan.usesCoarseLevels = plan.usesCoarseLevels && memory.withoutLevels == 0;
-    plan.substeps *= parameters.automatic.refinement;
-    plan.fullLift = parameters.automatic.fullLift;
+    const adaptive::StepPlan plan = planned(model, rates, parameters, inputs, memory);
     const double budget = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
     adaptive::StepChoice choice{.order = plan.scheme == adaptive::ExplicitScheme::Pefrl ? 4 : 2,
                                 .substeps = plan.substeps,
@@ -108,13 +102,25 @@ class AdaptiveStep {
   }
 
  private:
+  /// The plan of the next step, which depends on the retries of earlier ones.
+  static adaptive::StepPlan planned(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                                    const StepInputs& inputs, const adaptive::StepMemory& memory) {
+    adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
+    for (int i = 0; i < memory.retryLevel; ++i) {
+      plan = adaptive::saferPlan(plan);
+    }
+    plan.substeps *= parameters.automatic.refinement;
+    plan.fullLift = parameters.automatic.fullLift;
+    return plan;
+  }
+
   /// @return whether the step was taken
   bool takeStep(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                 const StepInputs& inputs, adaptive::StepPlan plan, adaptive::StepMemory& memory, ClothState& state,
                 adaptive::StepChoice& choice) {
     guard_.prepare(model, rates, parameters, state, 0.5 * static_cast<double>(std::numeric_limits<T>::epsilon()),
                    simd::stepOrigin<T>(state.positions));
-    const adaptive::StepPlan first = plan;
+    adaptive::StepPlan first = plan;
     while (saferPlans_ <= adaptive::tuning.maxRetries) {
       checkStop(inputs);
       const bool isRetry = choice.retries > 0;
@@ -129,8 +135,10 @@ class AdaptiveStep {
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
       if (plan.usesCoarseLevels && guard_.levelsStoreTooMuch(model, state, energy.levels)) {
-        plan.usesCoarseLevels = false;
         memory.withoutLevels = adaptive::tuning.calmSteps;
+        first = plan = planned(model, rates, parameters, inputs, memory);
+        choice.substeps = plan.substeps;
+        choice.stiffnessScale = adaptive::medianStiffnessScale(rates, parameters, plan);
         ++choice.retries;
         continue;
       }

@@ -18,13 +18,14 @@ class StepPlanning : public ::testing::Test {
   StepPlan plan(double evaluations) {
     parameters.automatic.costBudget =
         1.0001 * evaluations * static_cast<double>(model->springs.size()) / parameters.timeStep * 1e-6;
-    return planStep(*model, localRatesOf(*model), parameters, parameters.automatic, inputs,
-                    StepMemory{.forceEvaluations = evaluations});
+    memory.forceEvaluations = evaluations;
+    return planStep(*model, localRatesOf(*model), parameters, parameters.automatic, inputs, memory);
   }
 
   std::shared_ptr<const ClothModel> model = testing::pinnedSheet(17);
   StepParameters parameters;
   StepInputs inputs;
+  StepMemory memory;
 };
 
 TEST_F(StepPlanning, takesTheFourthOrderWhereTheBudgetGoesFarBeyondTheLimit) {
@@ -89,6 +90,16 @@ TEST_F(StepPlanning, clampsSpringsAndAddsLevelsWhereTheyKeepLittleStiffness) {
   EXPECT_EQ(far.substeps, 4);
   const double scale = medianStiffnessScale(localRatesOf(*model), parameters, far);
   EXPECT_NEAR(scale, std::pow(1.8 * 4.0 / (parameters.timeStep * largestFrequency(*model, parameters)), 2.0), 1e-9);
+}
+
+TEST_F(StepPlanning, takesTheTimeOfTheLevelsForMoreSubstepsWhileTheyStoreTooMuch) {
+  parameters.material.stiffness = 1e4;
+  ASSERT_TRUE(plan(8.0).usesCoarseLevels);
+  memory.withoutLevels = 3;
+  const StepPlan chosen = plan(8.0);
+  EXPECT_FALSE(chosen.usesCoarseLevels);
+  EXPECT_TRUE(chosen.softens);
+  EXPECT_EQ(chosen.substeps, 18);
 }
 
 TEST_F(StepPlanning, usesNoLevelsWhereTheLoadHardlyStretchesTheClampedSprings) {
