@@ -113,9 +113,10 @@ bool EnergyGuard::isStartEnergyKnown(const StepPlan& plan, const StepMemory& mem
   return memory.fingerprint == fingerprint_ + fingerprintOf(plan);
 }
 
-bool EnergyGuard::levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels) const {
+bool EnergyGuard::levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels,
+                                     bool motionExplains) const {
   const double explained = fallEnergy_ + airEnergy_;
-  return levels > explained && levels > explained + kineticEnergy(model, state);
+  return levels > explained && (!motionExplains || levels > explained + kineticEnergy(model, state));
 }
 
 bool EnergyGuard::isMeasurementDue(const StepPlan& plan, const StepMemory& memory) const {

@@ -41,8 +41,10 @@ class EnergyGuard {
   /// Whether coarse levels store more energy than the weight and the motion of the cloth can have put into them, as in
   /// crumpled or reflected cloth. This energy would go into the softened springs, whose visible energy is many times
   /// their own. The step should then not use levels.
-  /// @param levels energy of the levels at the start [J]
-  [[nodiscard]] bool levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels) const;
+  /// @param levels energy of the levels at the start [J]  @param motionExplains whether the motion of the cloth counts:
+  /// if the levels were dropped before, it has its energy from them
+  [[nodiscard]] bool levelsStoreTooMuch(const ClothModel& model, const ClothState& state, double levels,
+                                        bool motionExplains) const;
 
   /// Whether to measure the energy at the end of the step, which costs a force evaluation. In steps of few evaluations
   /// it is not measured every time, unless wind acts, the drift is large or a step was retried recently.

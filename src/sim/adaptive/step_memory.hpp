@@ -36,7 +36,9 @@ struct StepMemory {
   double stiffeningEnergy = 0.0;
   double visibleEnergy = 0.0;  ///< as `energy`, with the full stiffness of softened springs, without coarse levels [J]
   double visibleDrift = 0.0;   ///< drift of `visibleEnergy` [J]
-  int withoutLevels = 0;       ///< number of steps that are still to be taken without coarse levels [-]
+  /// One more than the number of steps that are still to be taken without coarse levels; 1: the next step tries whether
+  /// they still store too much; 0: they did not [-].
+  int withoutLevels = 0;
   /// Root mean square of the vertices' displacements in the last step, divided by its duration [m/s], for fabrics.
   /// Vibration hardly contributes.
   double speed = 0.0;

@@ -212,7 +212,7 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
   if (hardlyLoaded || medianStiffnessScale(rates, parameters, softer) >= tuning.enoughStiffness) {
     return softer;
   }
-  if (memory.withoutLevels > 0) {
+  if (memory.withoutLevels > 1) {
     softer = clampedPlanOfCost(model, rates, parameters, cost + tuning.levelOverhead);
     softer.softens = true;
     return softer;

@@ -88,8 +88,8 @@ struct StepPlan {
 /// - smaller B, softening allowed: Verlet with clamped springs;
 /// - and where clamped springs keep less than half of their stiffness and the load strains them by 0.001 or more at the
 ///   pins: half as many substeps, with coarse levels, which double the cost of a substep. Or Verlet with the full
-///   stiffness, if that is hardly slower (isHardlySlowerThanLevels). While StepMemory::withoutLevels counts, clamped
-///   springs without levels, with as many substeps as take the same time.
+///   stiffness, if that is hardly slower (isHardlySlowerThanLevels). While StepMemory::withoutLevels is above 1,
+///   clamped springs without levels, with as many substeps as take the same time.
 /// Depends on its arguments only.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                                 const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory);

@@ -134,8 +134,8 @@ class AdaptiveStep {
                           pinWork(model, parameters, inputs, state);
       choice.forceEvaluations += plan.cost();
       choice.coarseLevels = run_.levels();
-      if (plan.usesCoarseLevels && guard_.levelsStoreTooMuch(model, state, energy.levels)) {
-        memory.withoutLevels = adaptive::tuning.calmSteps;
+      if (plan.usesCoarseLevels && guard_.levelsStoreTooMuch(model, state, energy.levels, memory.withoutLevels == 0)) {
+        memory.withoutLevels = adaptive::tuning.calmSteps + 1;
         first = plan = planned(model, rates, parameters, inputs, memory);
         choice.substeps = plan.substeps;
         choice.stiffnessScale = adaptive::medianStiffnessScale(rates, parameters, plan);
