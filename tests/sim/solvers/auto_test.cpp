@@ -606,20 +606,21 @@ TEST(Auto, conservesTheMomentumOfFreeClothWithClampedStiffness) {
 }
 
 TEST(Auto, conservesTheMomentumOfFreeClothInAStepInParts) {
-  const auto model = testing::irregularSheet(9, {});
-  StepParameters parameters = withEvaluations(*model, 1e6, 4.0);
+  const auto model = testing::irregularSheet(33, {});
+  StepParameters parameters = stiff(1e5);
+  parameters.timeStep = frame;
   parameters.gravity = 0.0;
+  parameters.automatic.costBudget = 31.0;
   ClothState state = stateAtRest(model->restPositions);
-  testing::RandomVectors random(5);
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
-    state.positions[v] = random.next(0.5);
-    state.velocities[v] = Vec3(1.0, 0.5, 0.2) + Vec3(0.3, 1.0, 0.0).cross(state.positions[v]);
+    state.positions[v] *= 0.01;
+    state.velocities[v] = Vec3(1.0, 0.5, 0.2) + Vec3(0.3, 1.0, 0.0).cross(100.0 * state.positions[v]);
   }
   const Vec3 linear = linearMomentum(*model, state);
   const Vec3 angular = angularMomentum(*model, state, Vec3::Zero());
   Stepper stepper("auto");
   int stepsInParts = 0;
-  for (int step = 0; step < 60; ++step) {
+  for (int step = 0; step < 3; ++step) {
     stepsInParts += stepper.step(*model, parameters, {}, state).choice.value().inParts ? 1 : 0;
   }
   EXPECT_GT(stepsInParts, 0) << "this start is not hard enough";
