@@ -606,26 +606,29 @@ TEST(Auto, conservesTheMomentumOfFreeClothWithClampedStiffness) {
 }
 
 TEST(Auto, conservesTheMomentumOfFreeClothInAStepInParts) {
-  const auto model = testing::irregularSheet(33, {});
+  const auto model = buildClothModel(testing::sheet(33), 0.1, MassLumping::Area, {});
   StepParameters parameters = stiff(1e5);
   parameters.timeStep = frame;
+  parameters.precision = Precision::Float;
   parameters.gravity = 0.0;
   parameters.automatic.costBudget = 31.0;
   ClothState state = stateAtRest(model->restPositions);
   for (std::size_t v = 0; v < state.positions.size(); ++v) {
     state.positions[v] *= 0.01;
-    state.velocities[v] = Vec3(1.0, 0.5, 0.2) + Vec3(0.3, 1.0, 0.0).cross(100.0 * state.positions[v]);
+    state.velocities[v] = Vec3(1.0, 0.0, 0.2) + Vec3(0.0, 1.0, 0.0).cross(100.0 * state.positions[v]);
   }
   const Vec3 linear = linearMomentum(*model, state);
   const Vec3 angular = angularMomentum(*model, state, Vec3::Zero());
+  const double fastest = std::sqrt(2.0 * energyOf(*model, parameters, state).total() / model->totalMass());
   Stepper stepper("auto");
   int stepsInParts = 0;
   for (int step = 0; step < 3; ++step) {
     stepsInParts += stepper.step(*model, parameters, {}, state).choice.value().inParts ? 1 : 0;
   }
   EXPECT_GT(stepsInParts, 0) << "this start is not hard enough";
-  EXPECT_LT((linearMomentum(*model, state) - linear).norm(), 1e-10 * linear.norm());
-  EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), 1e-10 * angular.norm());
+  const double rounding = 1e-5 * model->totalMass() * fastest;
+  EXPECT_LT((linearMomentum(*model, state) - linear).norm(), rounding);
+  EXPECT_LT((angularMomentum(*model, state, Vec3::Zero()) - angular).norm(), rounding);
 }
 
 TEST(Auto, keepsTheEnergyOfAViolentStart) {
