@@ -253,14 +253,15 @@ void Stepper::dampFabric(const ClothModel& model, const StepParameters& paramete
 }
 
 /// The contact substeps that resolve the motion of flat pieces in the air.
-int Stepper::unsteadyAirSubsteps(const ClothModel& model, const StepParameters& parameters, const ClothState& state) {
-  unsteadyAir_.begin(model, parameters, state);
+int Stepper::unsteadyAirSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
+                                 const ClothState& state) {
+  beginUnsteadyAir(model, parameters, inputs, state);
   return std::min(maxFastContactSubsteps, partsOf(parameters.timeStep, unsteadyAir_.longestStep()));
 }
 
 int Stepper::contactSubstepsOf(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                const ClothState& state) {
-  const int inAir = unsteadyAirSubsteps(model, parameters, state);
+  const int inAir = unsteadyAirSubsteps(model, parameters, inputs, state);
   const int nearContacts = partsOf(parameters.timeStep, maxContactSubstepTime);
   const double allowedMotion = maxMotionInEdges * meanEdge_.get(model, meanEdge);
   const bool couldBeFast = info_->resolvesContacts && parameters.contact.self == contact::SelfCollision::Exact &&

@@ -92,7 +92,7 @@ class Stepper {
   [[nodiscard]] int contactSubstepsOf(const ClothModel& model, const StepParameters& parameters,
                                       const StepInputs& inputs, const ClothState& state);
   [[nodiscard]] int unsteadyAirSubsteps(const ClothModel& model, const StepParameters& parameters,
-                                        const ClothState& state);
+                                        const StepInputs& inputs, const ClothState& state);
   StepReport stepInContactSubsteps(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                                    int contactSubsteps, ClothState& state);
   /// The step with the material that acts on the cloth (actingMaterial).
