@@ -183,8 +183,8 @@ bool tumbles(double froude, double tilt, const CaseMesh& mesh) {
 
 }  // namespace
 
-/// The motion near the transition is irregular. So the Froude number of the transition is that of a step with as many
-/// starts that do not tumble above the lowest number.
+/// The motion near the transition is irregular, so falls at many Froude numbers count. The result is the lowest number
+/// plus the width of their range times the share of falls that do not tumble.
 Comparison froudeOfTumbling(const CaseMesh& mesh) {
   constexpr double published = 0.67;
   constexpr double lowest = 0.4;

@@ -21,7 +21,7 @@ namespace {
 /// C_R, the coefficient of the circulation by rotation, 1/2 C_R c^2 omega.
 constexpr double rotationalLift = 1.0;
 
-/// The part of the resistance to rotation that remains. At a descent with C_D = 2, the measured torque
+/// The part of the resistance to rotation that remains. In a descent with C_D = 2, the measured torque
 /// (Andersen et al.: mu = 0.2) is 0.24 of that of kernels::plateForce at every point; with C_D = 1.2 it is 0.39.
 constexpr double rotationShare = 0.3;
 
