@@ -57,7 +57,22 @@ std::vector<SetUp> ownSetUps() {
       "mannequin",
       {"drag=0", "lift=0", "damping=0", "self_collision=off"}};
   tshirt.top = scene::topOfBareMesh;
-  return {hang, flag, crush, twist, tshirt};
+  SetUp shirtOfSprings = tshirt;
+  shirtOfSprings.name = "tshirt_of_springs";
+  shirtOfSprings.help = "the same T-shirt of springs, with damping";
+  shirtOfSprings.settings = {"material.model=springs", "damping=0.003", "drag=0", "lift=0", "self_collision=off"};
+  shirtOfSprings.cloths = {{0, "3e4"}};
+  SetUp fourCorners{"four_corners", "a level sheet that is held at its four corners", "grid"};
+  fourCorners.corners = {"top_left", "top_right", "bottom_left", "bottom_right"};
+  fourCorners.cloths = {{25, "300"}, {49, "300"}, {49, "3e4"}};
+  SetUp oneCorner{
+      "one_corner", "a level sheet that falls from one pinned corner, with damping", "grid", {"damping=0.003"}};
+  oneCorner.corners = {"top_left"};
+  oneCorner.cloths = {{49, "3e4"}};
+  SetUp oneEdge{"one_edge", "a level sheet that falls from one pinned edge", "grid"};
+  oneEdge.edges = {"top"};
+  oneEdge.cloths = {{25, "3e4"}};
+  return {hang, flag, crush, twist, tshirt, fourCorners, oneCorner, oneEdge, shirtOfSprings};
 }
 
 Vec3 barycentreOf(const std::vector<Vec3>& positions) {

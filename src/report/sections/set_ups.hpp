@@ -8,6 +8,12 @@
 
 namespace drape::report::sections {
 
+/// A cloth of springs for a full report.
+struct SpringCloth {
+  int resolution = 0;     ///< vertices along the shorter side; 0 for a mesh
+  std::string stiffness;  ///< [N/m], as in a setting
+};
+
 /// A cloth under defined conditions, at any resolution, for the comparison of methods.
 struct SetUp {
   std::string name;                        ///< as in report.json: "twist"
@@ -17,6 +23,7 @@ struct SetUp {
   std::vector<std::string> corners = {};   ///< pinned ones, in place of the scene's pins
   std::vector<std::string> edges = {};     ///< pinned ones, likewise
   double top = 0.0;  ///< of a mesh: all vertices within this share of the height from the top are pinned [-]
+  std::vector<SpringCloth> cloths = {};  ///< those of a full report; empty: the usual ones (comparedCloths)
   Vec3 (*place)(const Vec3& rest, double) = nullptr;  ///< start position of a vertex [m]; see buildSetUp
 };
 

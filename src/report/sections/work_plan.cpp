@@ -6,7 +6,18 @@
 namespace drape::report::sections {
 namespace {
 
+std::vector<ComparedCloth> ownCloths(const SetUp& setUp) {
+  std::vector<ComparedCloth> cloths;
+  for (const SpringCloth& cloth : setUp.cloths) {
+    cloths.push_back({cloth.resolution, springsOf(cloth.stiffness), isMesh(setUp)});
+  }
+  return cloths;
+}
+
 std::vector<ComparedCloth> clothsOfQuickReport(const SetUp& setUp, bool isFirst) {
+  if (!setUp.cloths.empty() && isFirst) {
+    return ownCloths(setUp);
+  }
   // A garment takes seconds a method, so a quick report has it only on request.
   if (isMesh(setUp) && isFirst) {
     return {{0, fabricOf("jersey"), true}};
@@ -22,6 +33,9 @@ std::vector<ComparedCloth> clothsOfQuickReport(const SetUp& setUp, bool isFirst)
 }
 
 std::vector<ComparedCloth> clothsOfFullReport(const SetUp& setUp, bool isFirst) {
+  if (!setUp.cloths.empty()) {
+    return ownCloths(setUp);
+  }
   if (isMesh(setUp)) {
     return {{0, fabricOf("cotton")}, {0, fabricOf("jersey")}};
   }

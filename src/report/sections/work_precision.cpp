@@ -141,6 +141,16 @@ MeasuredRun measuredRun(ClothWithReference& cloth, const settings::Settings& set
   return run;
 }
 
+/// The same; empty when it takes too long.
+std::optional<MeasuredRun> runInTime(ClothWithReference& cloth, const settings::Settings& settings,
+                                     const Reference& reference, int seed, const TimeLimit& timeLimit) {
+  try {
+    return measuredRun(cloth, settings, reference, seed, timeLimit);
+  } catch (const TooSlow&) {
+    return std::nullopt;
+  }
+}
+
 /// Writes the quality of the reference at the row's time. Returns whether it is sufficient for any comparison.
 bool writeReference(const Reference& reference, double diagonal, ReportRow& row) {
   constexpr double useful = 0.01;  // of the diagonal
@@ -172,14 +182,19 @@ void writeErrors(const scene::Scene& scene, const MeasuredRun& run, const Refere
 }
 
 /// Also runs from jittered starts, and writes the range of the errors. `error_mean` remains that of the original start,
-/// which another report reproduces to the last bit.
+/// which another report reproduces to the last bit. Each run has the time limit for itself. Only the run from the
+/// original start makes a setting too slow; if another one is, there is no range.
 void writeSpread(ClothWithReference& cloth, const settings::Settings& settings, const Reference& reference,
-                 const TimeLimit& timeLimit, ReportRows& rows) {
+                 const std::function<void()>& checkStop, double maxSeconds, ReportRows& rows) {
   std::vector<std::vector<double>> errors(rows.size());
   for (int seed = 1; seed <= seedCount; ++seed) {
-    const MeasuredRun run = measuredRun(cloth, settings, reference, seed, timeLimit);
+    const TimeLimit timeLimit(checkStop, maxSeconds);
+    const std::optional<MeasuredRun> run = runInTime(cloth, settings, reference, seed, timeLimit);
+    if (!run) {
+      return;
+    }
     for (std::size_t k = 0; k < rows.size(); ++k) {
-      const auto summary = summaryAt(cloth.jitteredScene(seed), run.own, reference, run.report, rows[k]["time"]);
+      const auto summary = summaryAt(cloth.jitteredScene(seed), run->own, reference, run->report, rows[k]["time"]);
       if (summary && std::isfinite(summary->meanError)) {
         errors[k].push_back(summary->meanError);
       }
@@ -222,7 +237,7 @@ ReportRows measuredRows(ClothWithReference& cloth, const Entry& entry, const set
       writeErrors(cloth.scene(), run, *reference, row);
     }
     if (isChaotic(rows) && spent < limits.repeatedSeconds) {
-      writeSpread(cloth, settings, *reference, TimeLimit(checkStop, limits.maxSeconds), rows);
+      writeSpread(cloth, settings, *reference, checkStop, limits.maxSeconds, rows);
     }
   } catch (const TooSlow&) {
     for (ReportRow& row : rows) {
