@@ -13,14 +13,14 @@ namespace {
 
 /// The maximum cost of a run in the search for the reference, in springs times steps: some seconds at most.
 /// @param resolution 0 for a mesh
-double maxCost(int resolution, bool quick) {
+double maxCost(int resolution, bool isFabric, bool quick) {
   constexpr int small = 17;
   constexpr int large = 33;
-  if (resolution == 0) {
-    return quick ? 1e8 : 4e8;
-  }
   if (quick) {
     return 1e8;
+  }
+  if (resolution == 0) {
+    return isFabric ? 4e8 : 2.5e9;
   }
   return resolution <= small ? 2e8 : resolution <= large ? 1e9 : 2.5e9;
 }
@@ -73,7 +73,7 @@ void ClothWithReference::findReference(const std::function<void()>& checkStop) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = quick_ ? 1e-5 : 1e-6;
   tolerance.takeAnyway = true;  // each row states the quality of its reference
-  tolerance.maxCost = maxCost(resolution_, quick_);
+  tolerance.maxCost = maxCost(resolution_, material_.isFabric(), quick_);
   // Nothing is timed here, and all threads give the same bits.
   settings::Settings settings = convergedSettings(scene().settings);
   settings.step.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
