@@ -39,7 +39,7 @@ struct StepMemory {
   /// One more than the number of steps that are still to be taken without coarse levels; 1: the next step tries whether
   /// they still store too much; 0: they did not [-].
   int withoutLevels = 0;
-  /// Root mean square of the vertices' displacements in the last step, divided by its duration [m/s], for fabrics.
+  /// Root mean square of the vertices' displacements in the last step, divided by its duration [m/s].
   /// Vibration hardly contributes.
   double speed = 0.0;
   int doubleSteps = 0;   ///< number of steps that are still to be taken in double, after the energy grew in float [-]

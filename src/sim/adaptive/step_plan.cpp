@@ -222,7 +222,7 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
       clampedPlanOfCost(model, rates, parameters, std::max(tuning.minEvaluations, cost / costWithLevels));
   withLevels.usesCoarseLevels = true;
   withLevels.softens = true;
-  return isHardlySlowerThanLevels(minCost, withLevels.substeps) ? unclamped(static_cast<int>(need.minimum))
+  return isHardlySlowerThanLevels(minCost, withLevels) ? unclamped(static_cast<int>(need.minimum))
                                                                 : withLevels;
 }
 
@@ -274,8 +274,8 @@ double maxEvaluations(const ClothModel& model, const CommonParameters& parameter
   return std::max(evaluationsInBudget(model, parameters, options), tuning.maxSpringEvaluations / springs);
 }
 
-bool isHardlySlowerThanLevels(double evaluations, double substeps) {
-  return evaluations <= toleratedCostRatio * (tuning.levelOverhead + costWithLevels * substeps);
+bool isHardlySlowerThanLevels(double evaluations, const StepPlan& withLevels) {
+  return evaluations <= toleratedCostRatio * (tuning.levelOverhead + withLevels.cost());
 }
 
 bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {
@@ -322,7 +322,7 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
       std::min(parameters.material.stiffness * rates.heatingRate, tuning.clampHOmega * tuning.clampHOmega / (h * h));
   const double rounding = 0x1p-24 * maxCoordinate;
   const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
-  const bool isSlow = !model.fabric || memory.speed < tuning.slowSpeed;
+  const bool isSlow = memory.speed < tuning.slowSpeed;
   const bool comesToRest =
       isSlow && (parameters.material.damping > 0.0 || parameters.air.drag > 0.0) && parameters.air.wind.isZero(0.0);
   const double maxAtRest = contactsAct ? tuning.maxHeatingInContact : tuning.maxHeatingAtRest;

@@ -64,8 +64,8 @@ struct StepPlan {
                                     const AutoOptions& options);
 
 /// Whether a step of that many force evaluations takes at most 1.6 times as long as one with coarse levels, which take
-/// some time in every step (AutoTuning::levelOverhead). @param substeps of the step with coarse levels
-[[nodiscard]] bool isHardlySlowerThanLevels(double evaluations, double substeps);
+/// some time in every step (AutoTuning::levelOverhead).
+[[nodiscard]] bool isHardlySlowerThanLevels(double evaluations, const StepPlan& withLevels);
 
 /// Whether springs may be softened: if the user allows it, or if a step with the full stiffness would exceed
 /// `maxEvaluations`.
@@ -106,7 +106,7 @@ struct StepPlan {
 /// d = 2^-24 |x|, which adds about c m omega^2 d^2 / 2 with stiff springs; c = AutoTuning::roundingHeat. Noticeable is
 /// 1/500 of the energy of a fall by the cloth's diagonal, in a second. For cloth that damping or still air bring to
 /// rest it is the heating that keeps vertices moving at some tenths of a millimetre per second. While contacts act it
-/// is the heating that keeps them moving at about 1 mm/s. A fabric that moves visibly does not count as coming to rest.
+/// is the heating that keeps them moving at about 1 mm/s. Cloth that moves visibly does not count as coming to rest.
 /// @param maxCoordinate the largest coordinate, relative to simd::stepOrigin [m]
 [[nodiscard]] bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates,
                                       const CommonParameters& parameters, const AutoOptions& options,

@@ -143,7 +143,7 @@ class AdaptiveStep {
         continue;
       }
       if (!guard_.hasGrown(energy, work, isRetry, memory)) {
-        before_ = model.fabric ? state.positions : std::vector<Vec3>();
+        before_ = state.positions;
         run_.store(state);
         run_.storeContacts(inputs);
         contactWork_ = energy.contactWork;
@@ -384,7 +384,7 @@ class AdaptiveStep {
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
   ClothState finer_;
   ClothState after_;
-  std::vector<Vec3> before_;  // positions at the start of the step, of a fabric
+  std::vector<Vec3> before_;  // positions at the start of the step
   std::vector<Vec3> averaged_;
   double contactWork_ = 0.0;  // of the last step [J]
   int saferPlans_ = 0;        // retries of the step with a safer plan

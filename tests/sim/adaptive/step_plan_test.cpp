@@ -103,6 +103,17 @@ TEST_F(StepPlanning, takesTheTimeOfTheLevelsForMoreSubstepsWhileTheyStoreTooMuch
   EXPECT_TRUE(chosen.dampsVibration);
 }
 
+TEST_F(StepPlanning, needsDoubleForDampedClothOnlyWhileItHardlyMoves) {
+  parameters.material.stiffness = 1e5;
+  parameters.material.damping = 0.003;
+  const auto needsDouble = [&](double speed) {
+    memory.speed = speed;
+    return roundingAddsEnergy(*model, localRatesOf(*model), parameters, parameters.automatic, memory, 1.0, false);
+  };
+  EXPECT_TRUE(needsDouble(0.01));
+  EXPECT_FALSE(needsDouble(0.1));
+}
+
 TEST_F(StepPlanning, usesNoLevelsWhereTheLoadHardlyStretchesTheClampedSprings) {
   parameters.material.stiffness = 1e5;
   ASSERT_TRUE(plan(30.0).usesCoarseLevels) << "it hangs from two vertices";

@@ -514,6 +514,14 @@ TEST(Auto, usesDoubleWhereRoundingWouldAddEnergy) {
   }
 }
 
+TEST(Auto, usesFloatWhileDampedClothFalls) {
+  const auto model = pinnedSheet(17);
+  StepParameters parameters = withEvaluations(*model, 1e5, 1000.0);
+  parameters.material.damping = 0.003;
+  parameters.automatic.errorTolerance = 1e-4;
+  EXPECT_FALSE(isTakenInDouble(*model, parameters));
+}
+
 TEST(Auto, usesDoubleWhereRoundingExceedsTheToleranceAndTheBudgetAllowsIt) {
   const auto model = pinnedSheet(17);
   StepParameters parameters = withEvaluations(*model, 10.0, 1000.0);
