@@ -199,17 +199,6 @@ void EnergyGuard::store(const ClothModel& model, const CommonParameters& paramet
   memory.fingerprint = fingerprintOf(model, parameters, state) + memory.planFingerprint;
 }
 
-void EnergyGuard::dampVibration(const ClothModel& model, const CommonParameters& parameters, StepMemory& memory,
-                                ClothState& state) {
-  const InnerMotion inner(model, pieces_.get(model, freePieces), state);
-  const double kept = std::exp(-parameters.timeStep / tuning.vibrationDecay);
-  inner.scale(kept, state);
-  const double taken = (1.0 - kept * kept) * inner.energy();
-  memory.energy -= taken;
-  memory.visibleEnergy -= taken;
-  memory.fingerprint = fingerprintOf(model, parameters, state) + memory.planFingerprint;
-}
-
 /// Adds an accepted step to the drift of the energy with the full stiffness, and removes energy from the rates of
 /// stretch while that drift is too large. @param start that energy at the start  @param removed the energy that was
 /// removed from the motion since the end of the step [J]

@@ -59,11 +59,6 @@ class EnergyGuard {
   void store(const ClothModel& model, const CommonParameters& parameters, const StepPlan& plan,
              const StepEnergy& energy, double work, StepMemory& memory, ClothState& state);
 
-  /// Damps the inner motion of a cloth after an accepted step (AutoTuning::vibrationDecay). The energy that this takes
-  /// is not part of the drift.
-  void dampVibration(const ClothModel& model, const CommonParameters& parameters, StepMemory& memory,
-                     ClothState& state);
-
  private:
   void limitVisibleDrift(const ClothModel& model, const StepEnergy& energy, double start, double work, double removed,
                          StepMemory& memory, ClothState& state) const;

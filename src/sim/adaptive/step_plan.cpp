@@ -215,7 +215,6 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
   if (memory.withoutLevels > 1) {
     softer = clampedPlanOfCost(model, rates, parameters, cost + tuning.levelOverhead);
     softer.softens = true;
-    softer.dampsVibration = true;
     return softer;
   }
   StepPlan withLevels =

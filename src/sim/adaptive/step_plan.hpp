@@ -41,9 +41,7 @@ struct StepPlan {
   /// and the second the substeps.
   int airInterval = 1;
   int bendingInterval = 1;
-  bool softens = false;  ///< the energy counts the clamped stiffness; otherwise the full stiffness
-  /// The vibration of softened springs is damped (AutoTuning::vibrationDecay).
-  bool dampsVibration = false;
+  bool softens = false;   ///< the energy counts the clamped stiffness; otherwise the full stiffness
   bool fullLift = false;  ///< the lift of eq. 20 is not limited to that of a thin plate
 
   [[nodiscard]] int forceEvaluations() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
@@ -91,7 +89,7 @@ struct StepPlan {
 /// - and where clamped springs keep less than half of their stiffness and the load strains them by 0.001 or more at the
 ///   pins: half as many substeps, with coarse levels, which double the cost of a substep. Or Verlet with the full
 ///   stiffness, if that is hardly slower (isHardlySlowerThanLevels). While StepMemory::withoutLevels is above 1,
-///   clamped springs without levels, with as many substeps as take the same time, and with damped vibration.
+///   clamped springs without levels, with as many substeps as take the same time.
 /// Depends on its arguments only.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                                 const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory);

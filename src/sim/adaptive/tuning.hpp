@@ -99,10 +99,6 @@ struct AutoTuning {
   /// of their frequencies add. Larger: stiffer, more retries, and energy gain with many levels. Smaller: softer cloth.
   double maxLevelFraction = 0.85;
   double levelFractionSquares = 2.9;
-  /// Time in which the motion of softened cloth falls by a factor of e while levels would store too much [s]. Its
-  /// springs then vibrate with much energy and with a wrong period. Smaller: the cloth hardly moves. Larger: the error
-  /// of the vibration remains.
-  double vibrationDecay = 0.15;
 
   // Energy guard and retries.
 

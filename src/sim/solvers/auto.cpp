@@ -149,9 +149,6 @@ class AdaptiveStep {
         contactWork_ = energy.contactWork;
         memory.speed = speedBetween(before_, state.positions, parameters.timeStep);
         guard_.store(model, parameters, plan, energy, work, memory, state);
-        if (plan.dampsVibration) {
-          guard_.dampVibration(model, parameters, memory, state);
-        }
         return true;
       }
       if (plan.bendingInterval > 1 || plan.airInterval > 1) {

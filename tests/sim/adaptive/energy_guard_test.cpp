@@ -3,11 +3,9 @@
 #include "fabric_cloths.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/forces/diagnostics.hpp"
-#include "sim/motion/momentum.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
-#include <cmath>
 #include <limits>
 
 namespace drape::sim::adaptive {
@@ -219,33 +217,6 @@ TEST_F(DecidingOnAStep, removesTheEnergyThatAStifferPlanAddsToSoftenedSprings) {
   next(stiffer, added);
   EXPECT_NEAR(before - energyOf(*model, parameters, state).kinetic, added, 1e-9 * fall);
   EXPECT_NEAR(memory.energy, potential, 1e-9 * fall);
-}
-
-TEST_F(DecidingOnAStep, dampsVibrationWithoutCountingTheEnergyAsDrift) {
-  const Energy before = energyOf(*model, parameters, state);
-  memory.energy = before.total();
-  memory.energyDrift = 0.1;
-  for (int step = 0; step < 10; ++step) {
-    guard.dampVibration(*model, parameters, memory, state);
-  }
-  const Energy after = energyOf(*model, parameters, state);
-  EXPECT_NEAR(after.kinetic, before.kinetic * std::exp(-20.0 * parameters.timeStep / tuning.vibrationDecay),
-              1e-9 * before.kinetic);
-  EXPECT_NEAR(memory.energy, after.total(), 1e-9 * before.kinetic);
-  EXPECT_EQ(memory.energyDrift, 0.1);
-  guard.prepare(*model, localRatesOf(*model), parameters, state, 0.5 * std::numeric_limits<float>::epsilon(),
-                Vec3::Zero());
-  EXPECT_TRUE(guard.isStartEnergyKnown(StepPlan{}, memory));
-}
-
-TEST_F(DecidingOnAStep, dampsNoMomentumOfFreeCloth) {
-  model = buildClothModel(testing::sheet(9), 0.1, MassLumping::Area, {});
-  const Vec3 before = linearMomentum(*model, state);
-  const double kinetic = energyOf(*model, parameters, state).kinetic;
-  ASSERT_GT(before.norm(), 0.0);
-  guard.dampVibration(*model, parameters, memory, state);
-  EXPECT_LT((linearMomentum(*model, state) - before).norm(), 1e-12 * before.norm());
-  EXPECT_LT(energyOf(*model, parameters, state).kinetic, kinetic);
 }
 
 TEST_F(DecidingOnAStep, leavesTheMotionAloneWhileTheDriftIsAllowed) {

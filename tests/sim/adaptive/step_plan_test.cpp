@@ -100,7 +100,6 @@ TEST_F(StepPlanning, takesTheTimeOfTheLevelsForMoreSubstepsWhileTheyStoreTooMuch
   EXPECT_FALSE(chosen.usesCoarseLevels);
   EXPECT_TRUE(chosen.softens);
   EXPECT_EQ(chosen.substeps, 18);
-  EXPECT_TRUE(chosen.dampsVibration);
 }
 
 TEST_F(StepPlanning, needsDoubleForDampedClothOnlyWhileItHardlyMoves) {

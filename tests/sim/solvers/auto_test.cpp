@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <stop_token>
 
 namespace drape::sim {
@@ -757,29 +756,6 @@ TEST(Auto, gainsNoVisibleEnergyInTheFreeFallOfSoftenedCloth) {
     stepper.step(*model, parameters, {}, state);
     ASSERT_LT(energyOf(*model, parameters, state).total(), 0.01 * fallEnergy(*model, parameters)) << step;
   }
-}
-
-/// Its springs vibrate with a wrong period, so the undamped vibration would only add an error.
-TEST(Auto, dampsTheVibrationOfSoftenedClothThatIsTwistedBetweenTwoEdges) {
-  constexpr int side = 33;
-  std::vector<int> edges;
-  for (int v = 0; v < side; ++v) {
-    edges.insert(edges.end(), {v, side * (side - 1) + v});
-  }
-  const auto model = buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, edges);
-  StepParameters parameters = soft();
-  parameters.automatic.costBudget = 3.0;
-  ClothState state = stateAtRest(model->restPositions);
-  for (Vec3& position : state.positions) {
-    position = Eigen::AngleAxisd(std::numbers::pi / 4.0 * position.z(), Vec3::UnitZ()) * position;
-  }
-  Stepper stepper("auto");
-  double mean = 0.0;
-  for (int step = 0; step < 120; ++step) {
-    stepper.step(*model, parameters, {}, state);
-    mean += step < 60 ? 0.0 : energyOf(*model, parameters, state).kinetic / 60.0;
-  }
-  EXPECT_LT(mean, 0.01 * fallEnergy(*model, parameters));
 }
 
 TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
