@@ -26,6 +26,9 @@ Sentence schemeInWords(const sim::adaptive::StepChoice& choice) {
     return Sentence(plural(count, "{} explicit substep of fourth order", "{} explicit substeps of fourth order"),
                     count);
   }
+  if (choice.order == 1) {
+    return Sentence(plural(count, "{} implicit substep for taut cloth", "{} implicit substeps for taut cloth"), count);
+  }
   return Sentence(plural(count, "{} explicit substep", "{} explicit substeps"), count);
 }
 

@@ -12,7 +12,9 @@ inline constexpr double toleratedCostRatio = 1.6;
 
 /// The choices of the solver `auto` for a step, with statistics.
 struct StepChoice {
-  int order = 2;  ///< of the explicit scheme: 2 (Verlet) or 4 (PEFRL); 1 if the fallback solver took a part of the step
+  /// Of the scheme: 2 (Verlet) or 4 (PEFRL); 1 for implicit substeps, or if the fallback solver took a part of the
+  /// step.
+  int order = 2;
   int substeps = 1;          ///< equal parts of the step [-]
   int forceEvaluations = 1;  ///< cost of the step with retries, in evaluations of all springs [-]
   double hOmega = 0.0;       ///< time step times the mesh's largest local frequency [-]

@@ -39,6 +39,9 @@ struct StepMemory {
   /// One more than the number of steps that are still to be taken without coarse levels; 1: the next step tries whether
   /// they still store too much; 0: they did not [-].
   int withoutLevels = 0;
+  bool taut = false;                  ///< the pins hold the cloth taut (isTaut)
+  std::uint64_t tautFingerprint = 0;  ///< of the pins and settings of that test; 0: not tested yet
+  int tautSteps = 0;                  ///< steps until the next test is allowed [-]
   /// Root mean square of the vertices' displacements in the last step, divided by its duration [m/s].
   /// Vibration hardly contributes.
   double speed = 0.0;

@@ -206,6 +206,10 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
     return clamped.substeps < need.preferred ? clamped : unclamped(static_cast<int>(need.preferred));
   }
   const double cost = options.soften ? evaluations : maxEvaluations(model, parameters, options);
+  if (memory.taut && inputs.contacts == nullptr && !inputs.attachment) {
+    return {.substeps = std::max(1, static_cast<int>((cost + tuning.levelOverhead) / costOfImplicitSubstep)),
+            .isImplicit = true};
+  }
   StepPlan softer = clampedPlanOfCost(model, rates, parameters, cost);
   softer.softens = true;
   const bool hardlyLoaded = !inputs.attachment && strainAtPins(rates, parameters, softer) < tuning.smallStrain;
@@ -221,7 +225,7 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
       clampedPlanOfCost(model, rates, parameters, std::max(tuning.minEvaluations, cost / costWithLevels));
   withLevels.usesCoarseLevels = true;
   withLevels.softens = true;
-  return isHardlySlowerThanLevels(minCost, withLevels) ? unclamped(static_cast<int>(need.minimum))
+  return isHardlySlowerThanLevels(minCost, withLevels.substeps) ? unclamped(static_cast<int>(need.minimum))
                                                                 : withLevels;
 }
 
@@ -273,8 +277,8 @@ double maxEvaluations(const ClothModel& model, const CommonParameters& parameter
   return std::max(evaluationsInBudget(model, parameters, options), tuning.maxSpringEvaluations / springs);
 }
 
-bool isHardlySlowerThanLevels(double evaluations, const StepPlan& withLevels) {
-  return evaluations <= toleratedCostRatio * (tuning.levelOverhead + withLevels.cost());
+bool isHardlySlowerThanLevels(double evaluations, double substeps) {
+  return evaluations <= toleratedCostRatio * (tuning.levelOverhead + costWithLevels * substeps);
 }
 
 bool maySoften(const ClothModel& model, const CommonParameters& parameters, const AutoOptions& options) {

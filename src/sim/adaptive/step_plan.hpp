@@ -30,6 +30,9 @@ inline constexpr int costWithLevels = 2;
 /// Cost of a damping stage, in force evaluations (bench/auto_bench.cpp).
 inline constexpr double costOfDampingStage = 0.3;
 
+/// Cost of a substep of the solver one_iteration, in force evaluations.
+inline constexpr double costOfImplicitSubstep = 3.5;
+
 /// The scheme and the substeps of a step.
 struct StepPlan {
   ExplicitScheme scheme = ExplicitScheme::Verlet;
@@ -41,12 +44,16 @@ struct StepPlan {
   /// and the second the substeps.
   int airInterval = 1;
   int bendingInterval = 1;
-  bool softens = false;   ///< the energy counts the clamped stiffness; otherwise the full stiffness
-  bool fullLift = false;  ///< the lift of eq. 20 is not limited to that of a thin plate
+  bool isImplicit = false;  ///< substeps of the solver one_iteration, for taut cloth
+  bool softens = false;     ///< the energy counts the clamped stiffness; otherwise the full stiffness
+  bool fullLift = false;    ///< the lift of eq. 20 is not limited to that of a thin plate
 
   [[nodiscard]] int forceEvaluations() const { return scheme == ExplicitScheme::Pefrl ? 4 * substeps : substeps; }
-  /// The cost with coarse levels and damping stages, in force evaluations.
+  /// The cost with coarse levels, damping stages and implicit substeps, in force evaluations.
   [[nodiscard]] int cost() const {
+    if (isImplicit) {
+      return static_cast<int>(costOfImplicitSubstep * substeps);
+    }
     return (usesCoarseLevels ? costWithLevels * forceEvaluations() : forceEvaluations()) +
            static_cast<int>(costOfDampingStage * substeps * dampingStages);
   }
@@ -62,8 +69,8 @@ struct StepPlan {
                                     const AutoOptions& options);
 
 /// Whether a step of that many force evaluations takes at most 1.6 times as long as one with coarse levels, which take
-/// some time in every step (AutoTuning::levelOverhead).
-[[nodiscard]] bool isHardlySlowerThanLevels(double evaluations, const StepPlan& withLevels);
+/// some time in every step (AutoTuning::levelOverhead). @param substeps of the step with coarse levels
+[[nodiscard]] bool isHardlySlowerThanLevels(double evaluations, double substeps);
 
 /// Whether springs may be softened: if the user allows it, or if a step with the full stiffness would exceed
 /// `maxEvaluations`.
@@ -89,7 +96,9 @@ struct StepPlan {
 /// - and where clamped springs keep less than half of their stiffness and the load strains them by 0.001 or more at the
 ///   pins: half as many substeps, with coarse levels, which double the cost of a substep. Or Verlet with the full
 ///   stiffness, if that is hardly slower (isHardlySlowerThanLevels). While StepMemory::withoutLevels is above 1,
-///   clamped springs without levels, with as many substeps as take the same time.
+///   clamped springs without levels, with as many substeps as take the same time;
+/// - instead of clamped springs, implicit substeps of the same cost if the cloth is taut (StepMemory::taut), without
+///   contacts and attachment.
 /// Depends on its arguments only.
 [[nodiscard]] StepPlan planStep(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
                                 const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory);

@@ -92,6 +92,21 @@ struct AutoTuning {
   double windLoadFraction = 0.1;
   /// Levels with at most this many aggregates are not coarsened further [-].
   int minAggregates = 12;
+
+  // Taut cloth.
+
+  /// Cloth counts as taut if a force as large as its weight moves it by at most this fraction of its diagonal on
+  /// average, in any direction [-]. Larger: implicit steps slow down cloth that can swing. Smaller: taut cloth is
+  /// softened.
+  double tautReach = 0.03;
+  /// Stiffness of the springs in the test for that, in weights over the diagonal [-]; less if the cloth is softer.
+  /// Larger: the test takes longer. Smaller: taut cloth sags too far in it.
+  double tautStiffness = 2000.0;
+  /// The test takes a coarse level with at most this many aggregates, if there is one [-].
+  int maxAggregatesOfTautCloth = 100;
+  /// Steps between two tests while pins move [-].
+  int tautSteps = 64;
+
   /// A level is not used when this fraction of the stiffness, or less, is missing [-].
   double negligibleStiffness = 1e-6;
   /// h omega of a level, as a fraction of that of the springs: at most `maxLevelFraction`, and such that the sum of the

@@ -175,6 +175,11 @@ void stepMemoryFields(Archive& archive, adaptive::StepMemory& memory) {
   archive(memory.visibleEnergy);
   archive(memory.visibleDrift);
   archive(memory.withoutLevels);
+  std::uint8_t taut = memory.taut ? 1 : 0;
+  archive(taut);
+  memory.taut = taut != 0;
+  archive(memory.tautFingerprint);
+  archive(memory.tautSteps);
   archive(memory.speed);
   archive(memory.doubleSteps);
   archive(memory.everySubstep);

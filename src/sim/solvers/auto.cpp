@@ -3,6 +3,7 @@
 #include "sim/adaptive/settling.hpp"
 #include "sim/adaptive/sleep_detection.hpp"
 #include "sim/adaptive/step_memory.hpp"
+#include "sim/adaptive/taut_cloth.hpp"
 #include "sim/adaptive/tuning.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/forces/external_forces.hpp"
@@ -11,6 +12,7 @@
 #include "sim/model/model_cache.hpp"
 #include "sim/model/pieces.hpp"
 #include "sim/motion/momentum.hpp"
+#include "sim/simd/convert.hpp"
 #include "sim/simd/step_origin.hpp"
 #include "sim/solvers/registry.hpp"
 
@@ -41,6 +43,11 @@ bool estimatesError(const adaptive::StepChoice& choice, double budgetedEvaluatio
                            memory.forceEvaluations > adaptive::tuning.unreachableFactor * budgetedEvaluations;
   const bool useful = choice.costRatio <= adaptive::toleratedCostRatio && !unreachable;
   return estimateIsDue(memory.steps) && (useful || memory.steps >= adaptive::tuning.estimateInterval);
+}
+
+/// Whether the lift of eq. 20 acts, which AdaptiveRun limits.
+bool limitsLift(const ClothModel& model, const AirParameters& air) {
+  return !actsAsPlate(model, air) && air.lift > 0.0 && air.density > 0.0;
 }
 
 /// StepMemory::speed; 0 if the positions before the step are not known.
@@ -77,6 +84,13 @@ class AdaptiveStep {
                                 .hOmega = parameters.timeStep * largestFrequency(model, parameters),
                                 .costRatio = plan.cost() / budget,
                                 .stiffnessScale = adaptive::medianStiffnessScale(rates, parameters, plan)};
+    if (plan.isImplicit) {
+      takeImplicitStep(model, rates, parameters, inputs, plan, memory, state);
+      countStep(memory);
+      choice.order = 1;
+      choice.forceEvaluations = plan.cost();
+      return StepReport{.choice = choice};
+    }
     choice.forceEvaluations = 0;
     const bool estimating = estimatesError(choice, budget, memory);
     if (estimating) {
@@ -89,12 +103,7 @@ class AdaptiveStep {
       estimateError(model, parameters, plan, state, memory);
     }
     updateRetryLevel(saferPlans_, memory);
-    memory.everySubstep = std::max(0, memory.everySubstep - 1);
-    memory.withoutLevels = std::max(0, memory.withoutLevels - 1);
-    memory.steps += 1;
-    if (memory.steps == 2 * adaptive::tuning.estimateInterval) {
-      memory.steps = adaptive::tuning.estimateInterval;
-    }
+    countStep(memory);
     choice.error = memory.error;
     choice.energyDrift = memory.energyDrift;
     state.time += parameters.timeStep;
@@ -184,7 +193,7 @@ class AdaptiveStep {
     ofParts.contacts = nullptr;
     ofParts.movedPins = nullptr;
     if (inputs.movedPins != nullptr) {
-      movePinsBy(*inputs.movedPins, state);  // at once, since the parts do not follow their path
+      movePinsBy(*inputs.movedPins, 1.0, state);  // at once, since the parts do not follow their path
     }
     parameters.timeStep /= parts;
     plan.substeps = (plan.forceEvaluations() + parts - 1) / parts;
@@ -225,6 +234,48 @@ class AdaptiveStep {
       plan = adaptive::saferPlan(plan);
     }
     return false;
+  }
+
+  /// Takes a step of taut cloth with the solver `one_iteration`. Energy that its single iteration adds is removed from
+  /// the motion, unless pins move, whose work is not known.
+  void takeImplicitStep(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
+                        const StepInputs& inputs, const adaptive::StepPlan& plan, adaptive::StepMemory& memory,
+                        ClothState& state) {
+    if (!implicit_) {
+      implicit_ = solvers::oneIteration().make();
+    }
+    const double allowed = energyOf(model, parameters, state).total() + adaptive::maxWindWork(rates, parameters);
+    const double timeStep = parameters.timeStep;
+    const double end = state.time + timeStep;
+    before_ = state.positions;
+    StepInputs ofSubsteps = inputs;
+    ofSubsteps.movedPins = nullptr;
+    parameters.timeStep /= plan.substeps;
+    parameters.precision = std::is_same_v<T, float> ? Precision::Float : Precision::Double;
+    parameters.integration = Integration::BackwardEuler;
+    parameters.jacobi = {};
+    if (inputs.movedPins == nullptr) {
+      implicit_->steps(model, parameters, ofSubsteps, plan.substeps, state);
+      adaptive::removeInnerMotion(model, pieces_.get(model, freePieces),
+                                  energyOf(model, parameters, state).total() - allowed, state);
+    } else {
+      for (int i = 0; i < plan.substeps; ++i) {
+        movePinsBy(*inputs.movedPins, 1.0 / plan.substeps, state);
+        implicit_->step(model, parameters, ofSubsteps, state);
+      }
+    }
+    state.time = end;
+    memory.speed = speedBetween(before_, state.positions, timeStep);
+    memory.fingerprint = memory.planFingerprint = 0;  // the energy guard knows nothing about this step
+  }
+
+  static void countStep(adaptive::StepMemory& memory) {
+    memory.everySubstep = std::max(0, memory.everySubstep - 1);
+    memory.withoutLevels = std::max(0, memory.withoutLevels - 1);
+    memory.steps += 1;
+    if (memory.steps == 2 * adaptive::tuning.estimateInterval) {
+      memory.steps = adaptive::tuning.estimateInterval;
+    }
   }
 
   /// After a retry with a safer plan the next steps start with one. The retry level falls again after some calm steps.
@@ -279,7 +330,7 @@ class AdaptiveStep {
     }
     after_ = state;
     run_.store(after_);
-    movePinsBy(*inputs.movedPins, after_);
+    movePinsBy(*inputs.movedPins, 1.0, after_);
     double work = 0.0;
     const double rate = 0.5 * largestFrequency(model, parameters) / parameters.timeStep;
     for (const MovedPin& pin : *inputs.movedPins) {
@@ -291,9 +342,10 @@ class AdaptiveStep {
     return work;
   }
 
-  static void movePinsBy(const std::vector<MovedPin>& pins, ClothState& state) {
+  /// @param part of their way [-]
+  static void movePinsBy(const std::vector<MovedPin>& pins, double part, ClothState& state) {
     for (const MovedPin& pin : pins) {
-      state.positions[static_cast<std::size_t>(pin.vertex)] += pin.by;
+      state.positions[static_cast<std::size_t>(pin.vertex)] += part * pin.by;
     }
   }
 
@@ -377,6 +429,7 @@ class AdaptiveStep {
   adaptive::EnergyGuard guard_;
   std::unique_ptr<Solver> springFallback_;
   std::unique_ptr<Solver> fabricFallback_;
+  std::unique_ptr<Solver> implicit_;
   MomentumKeeper momentum_;
   ModelCache<std::vector<std::vector<std::size_t>>> pieces_;
   ClothState finer_;
@@ -422,6 +475,7 @@ class AutoSolver final : public Solver {
   StepReport stepAwake(const ClothModel& model, const StepParameters& parameters, const StepInputs& inputs,
                        adaptive::StepMemory& memory, ClothState& state) {
     const LocalRates& rates = rates_.get(model, localRatesOf);
+    updateTautness(model, rates, parameters, inputs, memory, state);
     const DoubleReason reason = reasonForDouble(model, rates, parameters, inputs, memory, state);
     const bool startsInFloat = reason == DoubleReason::None;
     if (startsInFloat) {
@@ -442,6 +496,41 @@ class AutoSolver final : public Solver {
       memory.doubleSteps = 0;  // the energy grew in double, too, so rounding is not the cause
     }
     return report;
+  }
+
+  /// Tests whether the cloth is taut where its springs would be softened, and again after pins or settings changed.
+  void updateTautness(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                      const StepInputs& inputs, adaptive::StepMemory& memory, const ClothState& state) {
+    memory.tautSteps = std::max(0, memory.tautSteps - 1);
+    if (limitsLift(model, parameters.air)) {
+      memory.taut = false;  // the solver one_iteration does not limit it
+      memory.tautFingerprint = 0;
+      return;
+    }
+    const adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
+    if (memory.tautSteps > 0 || !(plan.softens || plan.isImplicit)) {
+      return;
+    }
+    const std::uint64_t fingerprint = tautFingerprint(model, parameters, state);
+    if (fingerprint != memory.tautFingerprint) {
+      memory.taut =
+          adaptive::isTaut(model, levels_.get(model, adaptive::buildCoarseLevels), parameters, state.positions);
+      memory.tautFingerprint = fingerprint;
+      memory.tautSteps = adaptive::tuning.tautSteps;
+    }
+  }
+
+  /// The fingerprint of what decides whether a cloth is taut, apart from its shape.
+  static std::uint64_t tautFingerprint(const ClothModel& model, const StepParameters& parameters,
+                                       const ClothState& state) {
+    std::uint64_t sum = std::bit_cast<std::uint64_t>(parameters.material.stiffness) +
+                        3 * std::bit_cast<std::uint64_t>(parameters.gravity);
+    for (std::size_t v = 0; v < state.positions.size(); ++v) {
+      if (model.pinned[v]) {
+        sum += simd::sumOfBits(state.positions[v].data(), 3) * (2 * v + 1);
+      }
+    }
+    return sum;
   }
 
   /// Why a step is taken in double: it must be, or it is more accurate for the same cost.
@@ -467,6 +556,7 @@ class AutoSolver final : public Solver {
   }
 
   adaptive::SleepDetection sleep_;
+  ModelCache<std::vector<adaptive::CoarseLevel>> levels_;
   ModelCache<LocalRates> rates_;
   AdaptiveStep<float> single_;
   AdaptiveStep<double> double_;
@@ -499,11 +589,6 @@ std::optional<SolverWarning> costWarning(const ClothModel& model, const StepPara
                        .stiffnessScale = clamped * clamped,
                        .neededCost = std::ceil(0.5 * frequency * static_cast<double>(model.springs.size()) * 1e-6),
                        .softenedByChoice = parameters.automatic.soften};
-}
-
-/// Whether the lift of eq. 20 acts, which AdaptiveRun limits.
-bool limitsLift(const ClothModel& model, const AirParameters& air) {
-  return !actsAsPlate(model, air) && air.lift > 0.0 && air.density > 0.0;
 }
 
 /// The most important warning, if there are any.
