@@ -3,6 +3,7 @@
 #include "sim/model/cloth_state.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct StretchMemory {
   double changed = 0.0;     ///< time of the last change of the level, or of strain close to the limit [s]
   double peak = 0.0;        ///< the largest strain measured since `changed`, without the imposed strain [-]
 };
+
+inline constexpr double unknownEnergy = std::numeric_limits<double>::infinity();
 
 /// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.
 struct StepMemory {
@@ -42,6 +45,7 @@ struct StepMemory {
   bool taut = false;                  ///< the pins hold the cloth taut (isTaut)
   std::uint64_t tautFingerprint = 0;  ///< of the pins and settings of that test; 0: not tested yet
   int tautSteps = 0;                  ///< steps until the next test is allowed [-]
+  double tautEnergy = unknownEnergy;  ///< the energy that implicit steps may not exceed, with the work of the wind [J]
   /// Root mean square of the vertices' displacements in the last step, divided by its duration [m/s].
   /// Vibration hardly contributes.
   double speed = 0.0;

@@ -104,6 +104,8 @@ struct AutoTuning {
   double tautStiffness = 2000.0;
   /// The test takes a coarse level with at most this many aggregates, if there is one [-].
   int maxAggregatesOfTautCloth = 100;
+  /// Implicit steps for one measurement of the energy [-]. Larger: cheaper, energy grows longer before it is removed.
+  int tautEnergySteps = 8;
   /// Steps between two tests while pins move [-].
   int tautSteps = 64;
 

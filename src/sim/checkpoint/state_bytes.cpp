@@ -180,6 +180,7 @@ void stepMemoryFields(Archive& archive, adaptive::StepMemory& memory) {
   memory.taut = taut != 0;
   archive(memory.tautFingerprint);
   archive(memory.tautSteps);
+  archive(memory.tautEnergy);
   archive(memory.speed);
   archive(memory.doubleSteps);
   archive(memory.everySubstep);

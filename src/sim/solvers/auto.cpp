@@ -236,37 +236,57 @@ class AdaptiveStep {
     return false;
   }
 
-  /// Takes a step of taut cloth with the solver `one_iteration`. Energy that its single iteration adds is removed from
-  /// the motion, unless pins move, whose work is not known.
+  /// Takes a step of taut cloth with the solver `one_iteration`. Its single iteration can add energy. What exceeds the
+  /// energy at the first of these steps is removed from the motion. The work of pins is not known, so after they moved
+  /// the energy counts anew.
   void takeImplicitStep(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
                         const StepInputs& inputs, const adaptive::StepPlan& plan, adaptive::StepMemory& memory,
                         ClothState& state) {
     if (!implicit_) {
       implicit_ = solvers::oneIteration().make();
     }
-    const double allowed = energyOf(model, parameters, state).total() + adaptive::maxWindWork(rates, parameters);
+    if (memory.tautEnergy == adaptive::unknownEnergy) {
+      memory.tautEnergy = energyOf(model, parameters, state).total();
+    }
     const double timeStep = parameters.timeStep;
     const double end = state.time + timeStep;
     before_ = state.positions;
-    StepInputs ofSubsteps = inputs;
-    ofSubsteps.movedPins = nullptr;
     parameters.timeStep /= plan.substeps;
     parameters.precision = std::is_same_v<T, float> ? Precision::Float : Precision::Double;
     parameters.integration = Integration::BackwardEuler;
     parameters.jacobi = {};
     if (inputs.movedPins == nullptr) {
-      implicit_->steps(model, parameters, ofSubsteps, plan.substeps, state);
-      adaptive::removeInnerMotion(model, pieces_.get(model, freePieces),
-                                  energyOf(model, parameters, state).total() - allowed, state);
+      implicit_->steps(model, parameters, inputs, plan.substeps, state);
+      memory.tautEnergy += adaptive::maxWindWork(rates, parameters) * plan.substeps;
+      limitTautEnergy(model, rates, parameters, memory, state);
     } else {
-      for (int i = 0; i < plan.substeps; ++i) {
-        movePinsBy(*inputs.movedPins, 1.0 / plan.substeps, state);
-        implicit_->step(model, parameters, ofSubsteps, state);
-      }
+      takeImplicitSubsteps(model, parameters, inputs, plan.substeps, state);
+      memory.tautEnergy = adaptive::unknownEnergy;
     }
     state.time = end;
     memory.speed = speedBetween(before_, state.positions, timeStep);
     memory.fingerprint = memory.planFingerprint = 0;  // the energy guard knows nothing about this step
+  }
+
+  /// Substeps in which the pins move by equal parts of their way.
+  void takeImplicitSubsteps(const ClothModel& model, const StepParameters& parameters, StepInputs inputs, int substeps,
+                            ClothState& state) {
+    const std::vector<MovedPin>& pins = *inputs.movedPins;
+    inputs.movedPins = nullptr;
+    for (int i = 0; i < substeps; ++i) {
+      movePinsBy(pins, 1.0 / substeps, state);
+      implicit_->step(model, parameters, inputs, state);
+    }
+  }
+
+  /// The energy costs as much as a substep, so it is not measured in each step.
+  void limitTautEnergy(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
+                       const adaptive::StepMemory& memory, ClothState& state) {
+    if (memory.steps % adaptive::tuning.tautEnergySteps == 0) {
+      const double drift = adaptive::tuning.maxEnergyDrift * parameters.gravity * rates.mass * rates.diagonal;
+      adaptive::removeInnerMotion(model, pieces_.get(model, freePieces),
+                                  energyOf(model, parameters, state).total() - memory.tautEnergy - drift, state);
+    }
   }
 
   static void countStep(adaptive::StepMemory& memory) {
@@ -516,6 +536,7 @@ class AutoSolver final : public Solver {
       memory.taut =
           adaptive::isTaut(model, levels_.get(model, adaptive::buildCoarseLevels), parameters, state.positions);
       memory.tautFingerprint = fingerprint;
+      memory.tautEnergy = adaptive::unknownEnergy;
       memory.tautSteps = adaptive::tuning.tautSteps;
     }
   }
