@@ -393,7 +393,7 @@ const std::array table{
     SettingInfo{"auto.soften", "Soften springs", "-", Advanced, SettingEffect::Step,
         FlagField{[](auto& s) -> auto& { return s.step.automatic.soften; }},
         "When the cost budget is too small for stiff and fine cloth: off slows the simulation down, on softens the "
-        "springs. Counts while material.model is springs."},
+        "springs, or takes implicit steps where pins hold the cloth taut. Counts while material.model is springs."},
     SettingInfo{"auto.strain", "Strain limit", "-", Advanced, SettingEffect::Step,
         NumberField{[](auto& s) -> auto& { return s.step.automatic.strainLimit; }, 0.0, 1.0, false},
         "When the cost budget is too small for a stiff fabric: auto lowers the stretch stiffness as long as the strain "

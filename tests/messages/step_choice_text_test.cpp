@@ -20,6 +20,8 @@ TEST(StepChoiceText, tellsTheStiffnessScaleAndTheLevels) {
 TEST(StepChoiceText, tellsTheFourthOrderAndTheFallbackSolver) {
   EXPECT_EQ(inWords({.order = 4, .substeps = 1, .hOmega = 1.0, .error = 3e-8}, {}),
             "soft cloth: 1 explicit substep of fourth order");
+  EXPECT_EQ(inWords({.order = 1, .substeps = 8, .hOmega = 200.0}, {}),
+            "very stiff cloth: 8 implicit substeps for taut cloth");
   EXPECT_EQ(inWords({.order = 1, .substeps = 4, .hOmega = 1.0, .retries = 4, .usedFallback = true}, {}),
             "soft cloth: 4 substeps of the fallback solver, 4 retries");
 }

@@ -102,6 +102,25 @@ TEST_F(StepPlanning, takesTheTimeOfTheLevelsForMoreSubstepsWhileTheyStoreTooMuch
   EXPECT_EQ(chosen.substeps, 18);
 }
 
+TEST_F(StepPlanning, takesImplicitSubstepsOfTheSameCostForTautClothWithoutContactsAndAttachment) {
+  parameters.material.stiffness = 1e4;
+  memory.taut = true;
+  const StepPlan chosen = plan(32.0);
+  EXPECT_TRUE(chosen.isImplicit);
+  EXPECT_FALSE(chosen.softens);
+  EXPECT_EQ(chosen.substeps, 12);
+  EXPECT_EQ(chosen.cost(), 42);
+  inputs.attachment.emplace();
+  EXPECT_FALSE(plan(32.0).isImplicit);
+  inputs.attachment.reset();
+  SubstepContacts contacts;
+  inputs.contacts = &contacts;
+  EXPECT_FALSE(plan(32.0).isImplicit);
+  inputs.contacts = nullptr;
+  parameters.automatic.soften = false;
+  EXPECT_FALSE(plan(32.0).isImplicit) << "nothing is softened";
+}
+
 TEST_F(StepPlanning, needsDoubleForDampedClothOnlyWhileItHardlyMoves) {
   parameters.material.stiffness = 1e5;
   parameters.material.damping = 0.003;

@@ -758,6 +758,67 @@ TEST(Auto, gainsNoVisibleEnergyInTheFreeFallOfSoftenedCloth) {
   }
 }
 
+/// A sheet of 33 x 33 vertices at its four corners, with a budget so small that its springs would be softened.
+class TautSheet : public ::testing::Test {
+ protected:
+  TautSheet() {
+    parameters.automatic.costBudget = 20.0;
+    parameters.precision = Precision::Float;
+  }
+
+  static constexpr int side = 33;
+  std::shared_ptr<const ClothModel> model = buildClothModel(testing::sheet(side), 0.1, MassLumping::Area,
+                                                            {0, side - 1, side * (side - 1), side * side - 1});
+  StepParameters parameters = soft();
+  Stepper stepper{"auto"};
+  ClothState state = stateAtRest(model->restPositions);
+};
+
+TEST_F(TautSheet, isNearerToItsTrueMotionThanWithSoftenedSprings) {
+  const auto after = [&](const char* solver, const StepParameters& own) {
+    Stepper ofOwn(solver);
+    ClothState moved = stateAtRest(model->restPositions);
+    for (int step = 0; step < 30; ++step) {
+      ofOwn.step(*model, own, {}, moved);
+    }
+    return moved;
+  };
+  StepParameters fine = parameters;
+  fine.precision = Precision::Double;
+  fine.substeps = static_cast<int>(std::ceil(fine.timeStep / (0.5 * verletStepLimit(*model, fine))));
+  const ClothState reference = after("verlet", fine);
+  EXPECT_LT(meanDistance(after("auto", parameters).positions, reference.positions), 4e-3);
+}
+
+TEST_F(TautSheet, isTakenInImplicitStepsUntilACornerIsReleased) {
+  EXPECT_EQ(stepper.step(*model, parameters, {}, state).choice->order, 1);
+  const auto released = buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, {0, side - 1, side * (side - 1)});
+  int order = 1;
+  for (int step = 0; step < 80; ++step) {
+    order = stepper.step(*released, parameters, {}, state).choice->order;
+  }
+  EXPECT_EQ(order, 2);
+}
+
+TEST_F(TautSheet, gainsNoVisibleEnergy) {
+  double highest = -1e9;
+  for (int step = 0; step < 300; ++step) {
+    stepper.step(*model, parameters, {}, state);
+    highest = std::max(highest, energyOf(*model, parameters, state).total());
+  }
+  EXPECT_LT(highest, 0.01 * fallEnergy(*model, parameters));
+}
+
+TEST_F(TautSheet, followsPinsThatMoveInEqualParts) {
+  for (int step = 0; step < 60; ++step) {
+    std::vector<MovedPin> pins{{.vertex = 0, .by = Vec3(0.0, 1e-3, 0.0)}};
+    StepInputs inputs;
+    inputs.movedPins = &pins;
+    stepper.step(*model, parameters, inputs, state);
+  }
+  EXPECT_NEAR(state.positions[0].y(), model->restPositions[0].y() + 0.06, 1e-9);
+}
+
 TEST(Auto, warnsWhenTheCostBudgetIsTooSmallForTheStiffness) {
   const auto model = pinnedSheet(33);
   const auto warning = findSolver("auto")->warning;
