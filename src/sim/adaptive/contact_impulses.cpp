@@ -256,17 +256,22 @@ void ContactImpulses<T>::applyIsland(const Island& island, double time, double d
 
 /// Bodies or pins that close like scissors would push vertices out of the gap at any speed. So contact may not give a
 /// vertex a higher speed than `harmlessSpeed`, the speed of the fastest vertex before, or `speedRatio` times that of
-/// the fastest body or pin, whichever is the highest. Without moving bodies and pins contact adds no energy, and there
-/// is no limit.
+/// the fastest body or pin, whichever is the highest. Contact that does not increase the kinetic energy of the island
+/// has no limit, since it only passes on the motion of the cloth. Neither has contact without moving bodies and pins,
+/// which adds no energy.
 template <typename T>
 void ContactImpulses<T>::limitSpeeds(const Island& island) {
   double before = 0.0;  // squared
   double after = 0.0;   // squared
+  double gained = 0.0;  // twice the kinetic energy
   for (const std::size_t v : island.vertices) {
-    before = std::max(before, vertices_[v].afterKick.squaredNorm());
-    after = std::max(after, vertices_[v].velocity.squaredNorm());
+    const double squaredBefore = vertices_[v].afterKick.squaredNorm();
+    const double squaredAfter = vertices_[v].velocity.squaredNorm();
+    before = std::max(before, squaredBefore);
+    after = std::max(after, squaredAfter);
+    gained += vertices_[v].mass * (squaredAfter - squaredBefore);
   }
-  if (after <= before) {
+  if (after <= before || gained <= 0.0) {
     return;
   }
   const double ofObstacles = squaredSpeedOfObstacles(island);

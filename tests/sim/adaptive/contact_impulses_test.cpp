@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 #include <memory>
+#include <vector>
 
 namespace drape::sim::adaptive {
 namespace {
@@ -16,12 +17,13 @@ constexpr double drift = 0.01;  // [s]
 class ContactImpulsesTest : public ::testing::Test {
  protected:
   /// Takes a drift with the contacts. @param gap height of the sheet above the contacts' height at its start [m]
-  void take(const Vec3& velocity, double gap) {
+  void take(const Vec3& velocity, double gap) { take(std::vector<Vec3>(model_->restPositions.size(), velocity), gap); }
+
+  /// The same with a velocity for each vertex.
+  void take(const std::vector<Vec3>& velocities, double gap) {
     simd::SlicedCloth<double> cloth(*model_);
     state_ = stateAtRest(model_->restPositions);
-    for (Vec3& each : state_.velocities) {
-      each = velocity;
-    }
+    state_.velocities = velocities;
     for (Vec3& each : state_.positions) {
       each.y() += gap;
     }
@@ -163,6 +165,42 @@ TEST_F(ContactImpulsesTest, satisfyTwoContactsOfOneVertexTogether) {
   }
   take(Vec3(0.0, -1.0, 0.0), 0.0);
   EXPECT_TRUE(state_.velocities[4].isZero(1e-9));  // a vertex in a groove
+}
+
+TEST_F(ContactImpulsesTest, limitTheSpeedOfAVertexThatBodiesSqueezeOut) {
+  SubstepContact left = onGround(4);
+  SubstepContact right = onGround(4);
+  left.normal = Vec3(1.0, 0.2, 0.0).normalized();
+  right.normal = Vec3(-1.0, 0.2, 0.0).normalized();
+  left.bodyVelocity = Vec3(1.0, 0.0, 0.0);
+  right.bodyVelocity = Vec3(-1.0, 0.0, 0.0);
+  left.staticFriction = right.staticFriction = 0.0;
+  left.kineticFriction = right.kineticFriction = 0.0;
+  left.isFeaturePair = true;  // for more sweeps
+  left.height = left.normal.dot(model_->restPositions[4]);
+  right.height = right.normal.dot(model_->restPositions[4]);
+  contacts_ = {left, right};
+  take(Vec3::Zero(), 0.0);
+  EXPECT_GT(state_.velocities[4].y(), 0.0);
+  EXPECT_NEAR(state_.velocities[4].norm(), 3.0, 1e-12) << "three times the speed of the bodies";
+}
+
+TEST_F(ContactImpulsesTest, doNotLimitTheSpeedOfAVertexIfTheyTakeEnergy) {
+  // Vertex 4 hits the middle of two others, one of which comes towards it.
+  SubstepContact pair{
+      .vertices = {4, 3, 5, 5}, .weights = {1.0, -0.5, -0.5, 0.0}, .restGap = 1e-5, .isFeaturePair = true};
+  SubstepContact distant = onGround(5);
+  distant.height = -1.0;
+  distant.bodyVelocity = Vec3(0.1, 0.0, 0.0);
+  contacts_ = {pair, distant};
+  std::vector<Vec3> velocities(model_->restPositions.size(), Vec3::Zero());
+  velocities[4].y() = -3.0;
+  velocities[3].y() = -2.9;
+  velocities[5].y() = 2.9;
+  take(velocities, 0.0);
+  EXPECT_NEAR(state_.velocities[4].y(), -1.0, 1e-12);
+  EXPECT_NEAR(state_.velocities[3].y(), -3.9, 1e-12) << "faster than all vertices before";
+  EXPECT_NEAR(state_.velocities[5].y(), 1.9, 1e-12);
 }
 
 TEST_F(ContactImpulsesTest, doNotDependOnContactsThatShareNoVertexWithThem) {
