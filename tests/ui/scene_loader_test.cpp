@@ -131,6 +131,16 @@ TEST(WindowDefaults, SetAStrainLimitOnlyWhereTheSceneHasNone) {
   EXPECT_EQ(own.step.automatic.strainLimit, 0.2);
 }
 
+TEST(WindowDefaults, CheckTheErrorOnlyWithFourCoresOrMore) {
+  settings::Settings settings;
+  ASSERT_FALSE(settings.measures.errorCheck);
+  useWindowDefaults(settings);
+  EXPECT_EQ(settings.measures.errorCheck, std::thread::hardware_concurrency() >= 4);
+  settings.measures.errorCheck = true;
+  useWindowDefaults(settings);
+  EXPECT_TRUE(settings.measures.errorCheck) << "the scene asks for it";
+}
+
 TEST(WindowDefaults, TakeOneThreadLessThanThereAreCores) {
   settings::Settings none;
   useWindowDefaults(none);

@@ -72,9 +72,10 @@ void addTo(CLI::App& app, ReportArguments& arguments) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->check(notEmpty());
-  app.add_option("--scene", arguments.options.scene,
-                 "Compare methods on this scene only: hang, flag, crush, twist or any scene with a grid; with --budget "
-                 "any scene, scene file or mesh file")
+  app.add_option(
+         "--scene", arguments.options.scene,
+         "Compare methods on this scene only: hang, flag, crush, twist, tshirt, tshirt_of_springs, four_corners, "
+         "one_corner, one_edge or any scene with a grid; with --budget any scene, scene file or mesh file")
       ->type_name("SCENE|MESH")
       ->check(notEmpty());
   app.add_option("--threads", arguments.options.threads,

@@ -767,8 +767,8 @@ class TautSheet : public ::testing::Test {
   }
 
   static constexpr int side = 33;
-  std::shared_ptr<const ClothModel> model = buildClothModel(testing::sheet(side), 0.1, MassLumping::Area,
-                                                            {0, side - 1, side * (side - 1), side * side - 1});
+  std::shared_ptr<const ClothModel> model =
+      buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, {0, side - 1, side*(side - 1), side* side - 1});
   StepParameters parameters = soft();
   Stepper stepper{"auto"};
   ClothState state = stateAtRest(model->restPositions);
