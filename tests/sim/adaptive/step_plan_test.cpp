@@ -113,7 +113,7 @@ TEST_F(StepPlanning, takesImplicitSubstepsOfTheSameCostForTautClothWithoutContac
   inputs.attachment.emplace();
   EXPECT_FALSE(plan(32.0).isImplicit);
   inputs.attachment.reset();
-  SubstepContacts contacts;
+  std::vector<SubstepContact> contacts;
   inputs.contacts = &contacts;
   EXPECT_FALSE(plan(32.0).isImplicit);
   inputs.contacts = nullptr;
