@@ -105,20 +105,20 @@ TEST_F(StepPlanning, takesTheTimeOfTheLevelsForMoreSubstepsWhileTheyStoreTooMuch
 TEST_F(StepPlanning, takesImplicitSubstepsOfTheSameCostForTautClothWithoutContactsAndAttachment) {
   parameters.material.stiffness = 1e4;
   memory.taut = true;
-  const StepPlan chosen = plan(32.0);
+  const StepPlan chosen = plan(8.0);
   EXPECT_TRUE(chosen.isImplicit);
   EXPECT_FALSE(chosen.softens);
-  EXPECT_EQ(chosen.substeps, 12);
-  EXPECT_EQ(chosen.cost(), 42);
+  EXPECT_EQ(chosen.substeps, 5);
+  EXPECT_EQ(chosen.cost(), 17);
   inputs.attachment.emplace();
-  EXPECT_FALSE(plan(32.0).isImplicit);
+  EXPECT_FALSE(plan(8.0).isImplicit);
   inputs.attachment.reset();
   std::vector<SubstepContact> contacts;
   inputs.contacts = &contacts;
-  EXPECT_FALSE(plan(32.0).isImplicit);
+  EXPECT_FALSE(plan(8.0).isImplicit);
   inputs.contacts = nullptr;
   parameters.automatic.soften = false;
-  EXPECT_FALSE(plan(32.0).isImplicit) << "nothing is softened";
+  EXPECT_FALSE(plan(8.0).isImplicit) << "nothing is softened";
 }
 
 TEST_F(StepPlanning, needsDoubleForDampedClothOnlyWhileItHardlyMoves) {
