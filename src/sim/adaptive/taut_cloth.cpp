@@ -26,8 +26,12 @@ std::vector<Vec3> aggregatePositions(const CoarseLevel& level, const ClothModel&
 class Relaxation {
  public:
   /// @param stiffness of the springs [N/m]  @param load force on a mass [m/s^2]
-  Relaxation(const ClothModel& cloth, std::vector<Vec3> positions, double stiffness, const Vec3& load)
-      : cloth_(cloth), start_(positions), positions_(std::move(positions)), stiffness_(stiffness), load_(load) {
+  Relaxation(const ClothModel& cloth, std::vector<Vec3> positions, double stiffness, Vec3 load)
+      : cloth_(cloth),
+        start_(positions),
+        positions_(std::move(positions)),
+        stiffness_(stiffness),
+        load_(std::move(load)) {
     velocities_.assign(positions_.size(), Vec3::Zero());
     forces_.resize(positions_.size());
   }
