@@ -1,4 +1,5 @@
 #include "report/sections/set_ups.hpp"
+#include "report/sections/work_plan.hpp"
 
 #include "messages/error.hpp"
 #include "report/sections/table2_starts.hpp"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 namespace drape::report {
@@ -19,11 +21,26 @@ TEST(SetUps, areTheReportsOwnOrOneByName) {
   for (const auto& setUp : sections::comparedSetUps("")) {
     names.insert(setUp.name);
   }
-  EXPECT_EQ(names, (std::set<std::string>{"hang", "flag", "crush", "twist", "tshirt"}));
+  EXPECT_EQ(names, (std::set<std::string>{"hang", "flag", "crush", "twist", "tshirt", "four_corners", "one_corner",
+                                          "one_edge", "tshirt_of_springs"}));
   EXPECT_EQ(sections::comparedSetUps("twist").size(), 1U);
   EXPECT_EQ(sections::comparedSetUps("curtain").at(0).scene, "curtain");
   EXPECT_THROW((void)sections::comparedSetUps("skirt"), messages::InputError);
   EXPECT_THROW((void)sections::comparedSetUps("nothing"), messages::InputError);
+}
+
+TEST(SetUps, haveOwnClothsInAFullReportIfTheyNameThem) {
+  const auto fourCorners = sections::comparedSetUps("four_corners").at(0);
+  const auto cloths = sections::comparedCloths(fourCorners, false, false);
+  ASSERT_EQ(cloths.size(), 3U);
+  EXPECT_EQ(cloths.at(2).resolution, 49);
+  EXPECT_EQ(cloths.at(2).material.stiffness, 3e4);
+  EXPECT_FALSE(cloths.at(2).fastMethods);
+  EXPECT_TRUE(sections::comparedCloths(fourCorners, false, true).empty()) << "a quick report has few cloths";
+  const auto shirt = sections::comparedCloths(sections::comparedSetUps("tshirt_of_springs").at(0), false, false);
+  ASSERT_EQ(shirt.size(), 1U);
+  EXPECT_EQ(shirt.at(0).resolution, 0);
+  EXPECT_TRUE(shirt.at(0).fastMethods);
 }
 
 TEST(SetUps, beginAtRestWithTheirPinsWhereTheyBelong) {
@@ -35,7 +52,9 @@ TEST(SetUps, beginAtRestWithTheirPinsWhereTheyBelong) {
     EXPECT_EQ(scene->settings.step.material.stiffness, 50.0);
     EXPECT_EQ(sim::energyOf(*scene->model, scene->settings.step, scene->start).kinetic, 0.0) << setUp.name;
     const auto pins = std::count(scene->model->pinned.begin(), scene->model->pinned.end(), true);
-    EXPECT_EQ(pins, setUp.name == "hang" ? 2 : setUp.name == "flag" ? 9 : 18) << setUp.name;
+    const std::map<std::string, int> expected{{"hang", 2},     {"flag", 9},         {"crush", 18},    {"twist", 18},
+                                              {"one_edge", 9}, {"four_corners", 4}, {"one_corner", 1}};
+    EXPECT_EQ(pins, expected.at(setUp.name)) << setUp.name;
   }
 }
 
