@@ -107,7 +107,7 @@ struct AutoTuning {
   /// Implicit steps for one measurement of the energy [-]. Larger: cheaper, energy grows longer before it is removed.
   int tautEnergySteps = 8;
   /// Steps between two tests while pins move [-].
-  int tautSteps = 64;
+  int tautSteps = 32;
 
   /// A level is not used when this fraction of the stiffness, or less, is missing [-].
   double negligibleStiffness = 1e-6;
