@@ -19,6 +19,7 @@ struct StretchMemory {
   double peak = 0.0;        ///< the largest strain measured since `changed`, without the imposed strain [-]
 };
 
+/// StepMemory::tautEnergy before the first implicit step [J].
 inline constexpr double unknownEnergy = std::numeric_limits<double>::infinity();
 
 /// The memory of the solver `auto`. It is part of the state, so that a copy of the state continues identically.

@@ -115,7 +115,7 @@ class AdaptiveStep {
   static adaptive::StepPlan planned(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                     const StepInputs& inputs, const adaptive::StepMemory& memory) {
     adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
-    for (int i = 0; i < memory.retryLevel; ++i) {
+    for (int i = 0; i < memory.retryLevel && !plan.isImplicit; ++i) {
       plan = adaptive::saferPlan(plan);
     }
     plan.substeps *= parameters.automatic.refinement;
