@@ -92,6 +92,13 @@ struct AutoTuning {
   double windLoadFraction = 0.1;
   /// Levels with at most this many aggregates are not coarsened further [-].
   int minAggregates = 12;
+  /// A level is not used when this fraction of the stiffness, or less, is missing [-].
+  double negligibleStiffness = 1e-6;
+  /// h omega of a level, as a fraction of that of the springs: at most `maxLevelFraction`, and such that the sum of the
+  /// squares over all levels is at most `levelFractionSquares` [-]. All levels move the same vertices, so the squares
+  /// of their frequencies add. Larger: stiffer, more retries, and energy gain with many levels. Smaller: softer cloth.
+  double maxLevelFraction = 0.85;
+  double levelFractionSquares = 2.9;
 
   // Taut cloth.
 
@@ -108,14 +115,6 @@ struct AutoTuning {
   int tautEnergySteps = 8;
   /// Steps between two tests while pins move [-].
   int tautSteps = 32;
-
-  /// A level is not used when this fraction of the stiffness, or less, is missing [-].
-  double negligibleStiffness = 1e-6;
-  /// h omega of a level, as a fraction of that of the springs: at most `maxLevelFraction`, and such that the sum of the
-  /// squares over all levels is at most `levelFractionSquares` [-]. All levels move the same vertices, so the squares
-  /// of their frequencies add. Larger: stiffer, more retries, and energy gain with many levels. Smaller: softer cloth.
-  double maxLevelFraction = 0.85;
-  double levelFractionSquares = 2.9;
 
   // Energy guard and retries.
 
