@@ -325,7 +325,7 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
       std::min(parameters.material.stiffness * rates.heatingRate, tuning.clampHOmega * tuning.clampHOmega / (h * h));
   const double rounding = 0x1p-24 * maxCoordinate;
   const double heating = 0.5 * tuning.roundingHeat * omegaSquared * rounding * rounding / h;  // [W/kg]
-  const bool isSlow = memory.speed < tuning.slowSpeed;
+  const bool isSlow = memory.speed < tuning.slowSpeed || (contactsAct && !model.fabric);
   const bool comesToRest =
       isSlow && (parameters.material.damping > 0.0 || parameters.air.drag > 0.0) && parameters.air.wind.isZero(0.0);
   const double maxAtRest = contactsAct ? tuning.maxHeatingInContact : tuning.maxHeatingAtRest;
