@@ -91,6 +91,7 @@ class AdaptiveStep {
       choice.forceEvaluations = plan.cost();
       return StepReport{.choice = choice};
     }
+    memory.tautEnergy = adaptive::unknownEnergy;  // the mouse or contacts may change the energy in this step
     choice.forceEvaluations = 0;
     const bool estimating = estimatesError(choice, budget, memory);
     if (estimating) {
@@ -237,8 +238,8 @@ class AdaptiveStep {
   }
 
   /// Takes a step of taut cloth with the solver `one_iteration`. Its single iteration can add energy. What exceeds the
-  /// energy at the first of these steps is removed from the motion. The work of pins is not known, so after they moved
-  /// the energy counts anew.
+  /// energy at the first of these steps is removed from the motion. The work of pins is not known. So after they moved,
+  /// and after explicit steps, the energy is measured again.
   void takeImplicitStep(const ClothModel& model, const LocalRates& rates, StepParameters parameters,
                         const StepInputs& inputs, const adaptive::StepPlan& plan, adaptive::StepMemory& memory,
                         ClothState& state) {
@@ -527,8 +528,11 @@ class AutoSolver final : public Solver {
       memory.tautFingerprint = 0;
       return;
     }
+    if (memory.tautSteps > 0 || !adaptive::maySoften(model, parameters, parameters.automatic)) {
+      return;
+    }
     const adaptive::StepPlan plan = adaptive::planStep(model, rates, parameters, parameters.automatic, inputs, memory);
-    if (memory.tautSteps > 0 || !(plan.softens || plan.isImplicit)) {
+    if (!plan.softens && !plan.isImplicit) {
       return;
     }
     const std::uint64_t fingerprint = tautFingerprint(model, parameters, state);

@@ -767,8 +767,9 @@ class TautSheet : public ::testing::Test {
   }
 
   static constexpr int side = 33;
+  static constexpr int otherEdge = side * (side - 1);
   std::shared_ptr<const ClothModel> model =
-      buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, {0, side - 1, side*(side - 1), side* side - 1});
+      buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, {0, side - 1, otherEdge, otherEdge + side - 1});
   StepParameters parameters = soft();
   Stepper stepper{"auto"};
   ClothState state = stateAtRest(model->restPositions);
@@ -792,7 +793,7 @@ TEST_F(TautSheet, isNearerToItsTrueMotionThanWithSoftenedSprings) {
 
 TEST_F(TautSheet, isTakenInImplicitStepsUntilACornerIsReleased) {
   EXPECT_EQ(stepper.step(*model, parameters, {}, state).choice->order, 1);
-  const auto released = buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, {0, side - 1, side * (side - 1)});
+  const auto released = buildClothModel(testing::sheet(side), 0.1, MassLumping::Area, {0, side - 1, otherEdge});
   int order = 1;
   for (int step = 0; step < 80; ++step) {
     order = stepper.step(*released, parameters, {}, state).choice->order;
@@ -807,6 +808,19 @@ TEST_F(TautSheet, gainsNoVisibleEnergy) {
     highest = std::max(highest, energyOf(*model, parameters, state).total());
   }
   EXPECT_LT(highest, 0.01 * fallEnergy(*model, parameters));
+}
+
+TEST_F(TautSheet, keepsTheEnergyThatTheMouseGaveIt) {
+  stepper.step(*model, parameters, {}, state);
+  const double start = adaptive::stepMemoryOf(state).tautEnergy;
+  StepInputs inputs;
+  inputs.attachment = Attachment{{.triangle = 1024, .barycentric = Vec3(0.3, 0.3, 0.4), .target = Vec3(0.5, 0.3, 0.5)},
+                                 {.stiffness = 100.0, .maxForce = 5.0}};
+  for (int step = 0; step < 20; ++step) {
+    EXPECT_EQ(stepper.step(*model, parameters, inputs, state).choice->order, 2);
+  }
+  stepper.step(*model, parameters, {}, state);
+  EXPECT_GT(adaptive::stepMemoryOf(state).tautEnergy, start + 0.01 * fallEnergy(*model, parameters));
 }
 
 TEST_F(TautSheet, followsPinsThatMoveInEqualParts) {
