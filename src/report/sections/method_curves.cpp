@@ -29,7 +29,7 @@ std::vector<MethodCurve> listed() {
   // Stiff and fine cloth needs many substeps.
   Words many = upTo(512);
   many.emplace_back("1000");
-  const Words works{"3", "6", "10", "20", "30", "60", "100", "300", "1000"};
+  const Words works{"3", "6", "8", "10", "14", "20", "30", "45", "60", "100", "300", "1000"};
   // `auto` should use its whole cost budget and no more, so it softens the springs when needed.
   const Words budgeted{"auto.tolerance=1e-12", "auto.soften=on"};
   const Words thetas{"1", "0.75", "0.6", "0.55", "0.5"};

@@ -18,6 +18,13 @@ bool dependsOnPositionsAlone(const CommonParameters& parameters, const StepInput
          inputs.contacts == nullptr;
 }
 
+/// True if a step with that many force evaluations is of fourth order.
+bool takesFourthOrder(double evaluations, const ClothModel& model, const CommonParameters& parameters,
+                      const StepInputs& inputs) {
+  const double hOmega = parameters.timeStep * largestFrequency(model, parameters);
+  return evaluations >= tuning.fourthOrderEvaluations * hOmega && dependsOnPositionsAlone(parameters, inputs);
+}
+
 /// H lambda of damping over the time step H, with the 99th percentile of the rates [-].
 double dampingNumber(const LocalRates& rates, const CommonParameters& parameters) {
   return parameters.timeStep * rates.dampingPercentile99 * parameters.material.damping;
@@ -132,13 +139,15 @@ double costOfEvaluation(const ClothModel& model) {
 }
 
 /// The force evaluations that the error tolerance asks for, without regard to the cost budget.
-double evaluationsForTolerance(const StableSteps& need, const StepMemory& memory) {
+double evaluationsForTolerance(const StableSteps& need, const AutoOptions& options, const StepMemory& memory) {
   const double wanted =
       memory.forceEvaluations > 0.0
           ? memory.forceEvaluations
           : tuning.firstEvaluations + tuning.firstLimitFactor * tuning.preferredFraction * need.evaluations;
   const double stable = std::max(tuning.minEvaluations, need.evaluations);
-  return std::clamp(wanted, stable, tuning.maxLimitFactor * std::max(stable, tuning.minLimitEvaluations));
+  const double tighter =
+      std::clamp(std::sqrt(tuning.tightTolerance / options.errorTolerance), 1.0, tuning.maxTightening);
+  return std::clamp(wanted, stable, tighter * tuning.maxLimitFactor * std::max(stable, tuning.minLimitEvaluations));
 }
 
 /// Lets bending and air act in one of several substeps where that is accurate, and adds substeps so that their number
@@ -180,9 +189,8 @@ StepPlan planWithoutSlowForces(const ClothModel& model, const LocalRates& rates,
   const double budget = std::min(tuning.maxBudgetedEvaluations, evaluationsInBudget(model, parameters, options));
   const double damped = dampingNumber(rates, parameters);
   const StableSteps need = stableStepsOf(model, parameters, damped);
-  const double evaluations = std::min(budget, evaluationsForTolerance(need, memory));
-  const double hOmega = parameters.timeStep * largestFrequency(model, parameters);
-  if (evaluations >= tuning.fourthOrderEvaluations * hOmega && dependsOnPositionsAlone(parameters, inputs)) {
+  const double evaluations = std::min(budget, evaluationsForTolerance(need, options, memory));
+  if (takesFourthOrder(evaluations, model, parameters, inputs)) {
     return {.scheme = ExplicitScheme::Pefrl, .substeps = static_cast<int>(evaluations / 4.0)};
   }
   const auto unclamped = [&](int substeps) {
@@ -335,9 +343,10 @@ bool roundingAddsEnergy(const ClothModel& model, const LocalRates& rates, const 
 }
 
 bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates, const CommonParameters& parameters,
-                              const AutoOptions& options, const StepMemory& memory, double maxCoordinate) {
+                              const AutoOptions& options, const StepInputs& inputs, const StepMemory& memory,
+                              double maxCoordinate) {
   const StableSteps need = stableStepsOf(model, parameters, dampingNumber(rates, parameters));
-  const double evaluations = evaluationsForTolerance(need, memory);
+  const double evaluations = evaluationsForTolerance(need, options, memory);
   const double budget = evaluationsInBudget(model, parameters, options);
   const auto rounding = [&](double evaluationsOfStep) {
     const double count = evaluationsOfStep * std::max(1.0, errorTime / parameters.timeStep);
@@ -351,11 +360,14 @@ bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates, 
   if (memory.forceEvaluations <= 0.0 || inDouble < std::max(tuning.minEvaluations, need.evaluations)) {
     return false;
   }
+  const double inFloat = std::min(evaluations, budget);
+  if (takesFourthOrder(inFloat, model, parameters, inputs) && !takesFourthOrder(inDouble, model, parameters, inputs)) {
+    return false;
+  }
   const auto schemeError = [&](double evaluationsOfStep) {
     const double ratio = memory.forceEvaluations / evaluationsOfStep;
     return options.errorTolerance * ratio * ratio;
   };
-  const double inFloat = std::min(evaluations, budget);
   return schemeError(inDouble) < schemeError(inFloat) + rounding(inFloat);
 }
 

@@ -120,13 +120,14 @@ struct StepPlan {
                                       const StepMemory& memory, double maxCoordinate, bool contactsAct);
 
 /// True if rounding to float alone would exceed the error tolerance, and the cost budget suffices for double, which
-/// costs twice as much. If the tolerance is out of reach of the budget: true if half as many force evaluations in
-/// double have a smaller error. N force evaluations that each round a position x to float cause a mean error of about
-/// c 2^-24 |x| sqrt(N); c = AutoTuning::roundingDrift.
+/// costs AutoTuning::doubleCost times as much. If the tolerance is out of reach of the budget: true if the fewer force
+/// evaluations that the budget allows in double have a smaller error. They must suffice for the same order. N force
+/// evaluations that each round a position x to float cause a mean error of about c 2^-24 |x| sqrt(N);
+/// c = AutoTuning::roundingDrift.
 /// @param maxCoordinate the largest coordinate, relative to simd::stepOrigin [m]
 [[nodiscard]] bool roundingExceedsTolerance(const ClothModel& model, const LocalRates& rates,
                                             const CommonParameters& parameters, const AutoOptions& options,
-                                            const StepMemory& memory, double maxCoordinate);
+                                            const StepInputs& inputs, const StepMemory& memory, double maxCoordinate);
 
 /// The stiffness scale of the springs at the median vertex under a plan [-].
 [[nodiscard]] double medianStiffnessScale(const LocalRates& rates, const CommonParameters& parameters,

@@ -51,8 +51,8 @@ struct AutoTuning {
   /// budgets keep the full stiffness at higher stiffness, and are exceeded further. Smaller: cloth is softened whose
   /// full stiffness takes hardly longer.
   double levelOverhead = 10.0;
-  /// Cost of a force evaluation in double, in evaluations in float [-].
-  double doubleCost = 2.0;
+  /// Cost of a force evaluation in double, in evaluations in float (docs/theory/auto.md#precision) [-].
+  double doubleCost = 3.0;
 
   // Accuracy.
 
@@ -66,6 +66,11 @@ struct AutoTuning {
   /// Larger: such motion costs more. Smaller: tight tolerances are missed.
   double maxLimitFactor = 8.0;
   double minLimitEvaluations = 8.0;
+  /// Below this tolerance the maximum rises with its inverse square root [m], by up to this factor [-]. Larger: chaotic
+  /// motion costs more at tight tolerances. Smaller: slow errors of first order stay larger than the tolerance,
+  /// although the budget is not used up.
+  double tightTolerance = 1e-5;
+  double maxTightening = 8.0;
   /// Steps between error estimates after the first ones [-]. An estimate costs as much as two steps. Larger: cheaper,
   /// slower adaptation.
   int estimateInterval = 128;

@@ -574,8 +574,8 @@ class AutoSolver final : public Solver {
                                      inputs.contacts != nullptr)) {
       return DoubleReason::Required;
     }
-    return inputs.contacts == nullptr &&
-                   adaptive::roundingExceedsTolerance(model, rates, parameters, parameters.automatic, memory, largest)
+    return inputs.contacts == nullptr && adaptive::roundingExceedsTolerance(
+                                             model, rates, parameters, parameters.automatic, inputs, memory, largest)
                ? DoubleReason::Tolerance
                : DoubleReason::None;
   }

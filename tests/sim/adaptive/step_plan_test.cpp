@@ -209,6 +209,41 @@ TEST_F(StepPlanning, spendsNoMoreThanTheErrorEstimateNeeds) {
             50);
 }
 
+TEST_F(StepPlanning, takesMoreEvaluationsForATightToleranceThanInChaoticMotionOtherwise) {
+  parameters.material.stiffness = 10.0;
+  parameters.material.damping = 1e-5;
+  parameters.automatic.costBudget = 1e6;
+  const LocalRates rates = localRatesOf(*model);
+  const auto evaluations = [&](double tolerance) {
+    parameters.automatic.errorTolerance = tolerance;
+    return planStep(*model, rates, parameters, parameters.automatic, inputs, StepMemory{.forceEvaluations = 1e5})
+        .forceEvaluations();
+  };
+  EXPECT_EQ(evaluations(1e-4), 64);
+  EXPECT_EQ(evaluations(1e-5), 64);
+  EXPECT_EQ(evaluations(2.5e-6), 128);
+  EXPECT_EQ(evaluations(1e-12), 512);
+}
+
+/// Whether a step is taken in double where the budget allows `inFloat` H omega evaluations in float, and the tolerance
+/// is out of reach.
+bool takesDouble(const ClothModel& model, StepParameters parameters, double inFloat) {
+  parameters.automatic.errorTolerance = 1e-12;
+  const double evaluations = inFloat * parameters.timeStep * largestFrequency(model, parameters);
+  parameters.automatic.costBudget =
+      evaluations * static_cast<double>(model.springs.size()) / parameters.timeStep * 1e-6;
+  return roundingExceedsTolerance(model, localRatesOf(model), parameters, parameters.automatic, {},
+                                  StepMemory{.forceEvaluations = 10.0 * evaluations}, 1.0);
+}
+
+TEST_F(StepPlanning, takesDoubleInsteadOfMoreEvaluationsOnlyInAStepOfTheSameOrder) {
+  parameters.material.stiffness = 1000.0;
+  EXPECT_TRUE(takesDouble(*model, parameters, 1.9)) << "second order in both";
+  EXPECT_FALSE(takesDouble(*model, parameters, 2.1)) << "fourth order in float alone";
+  EXPECT_FALSE(takesDouble(*model, parameters, 5.9)) << "fourth order in float alone";
+  EXPECT_TRUE(takesDouble(*model, parameters, 6.1)) << "fourth order in both";
+}
+
 /// h lambda of damping in a substep.
 double dampedIn(const ClothModel& model, const StepParameters& parameters, const StepPlan& plan) {
   return parameters.timeStep / plan.substeps * model.unitDampingRate * parameters.material.damping;
