@@ -581,6 +581,7 @@ TEST(Auto, usesDoubleWithAThirdOfTheEvaluationsWhereRoundingIsTheLargerError) {
   const auto model = pinnedSheet(17);
   const double stable = frame / (0.8 * verletStepLimit(*model, stiff(1000.0)));
   StepParameters parameters = withEvaluations(*model, 1000.0, 20.0 * stable);
+  parameters.precision = Precision::Float;
   parameters.automatic.soften = false;
   StepReport last;
   const ClothState chosen = fallen("auto", *model, parameters, &last);
