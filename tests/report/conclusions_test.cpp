@@ -98,6 +98,19 @@ TEST(Conclusions, comparesAutoWithTheBestOtherMethodAtEqualCost) {
   EXPECT_EQ(row["by_error_mean"], 0.03);
 }
 
+TEST(Conclusions, comparesTheMedianOfAllStartsWhereMotionIsChaotic) {
+  SectionRows rows;
+  rows["work_precision"] = {measuredRow("auto", 10.0, 0.06), measuredRow("verlet", 10.0, 0.01),
+                            measuredRow("xpbd", 10.0, 0.03)};
+  rows["work_precision"][0]["error_median"] = 0.04;
+  rows["work_precision"][1]["error_median"] = 0.05;
+  const ReportRow row = answer(conclusions().derive(rows), "equal_cost", "method", "auto");
+  EXPECT_EQ(row["by_method"], "xpbd") << "verlet was accurate by accident";
+  EXPECT_NEAR(row["ratio"].get<double>(), 4.0 / 3.0, 1e-9);
+  EXPECT_EQ(row["error_mean"], 0.04);
+  EXPECT_NEAR(row["error_of_diagonal"].get<double>(), 0.04 / 1.414, 1e-9);
+}
+
 TEST(Conclusions, listsTheClothsOnWhichAutoIsBehind) {
   SectionRows rows;
   rows["work_precision"] = {measuredRow("auto", 10.0, 0.06), measuredRow("verlet", 10.0, 0.03)};
