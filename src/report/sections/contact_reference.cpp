@@ -115,6 +115,10 @@ ContactReference contactReference(const scene::Scene& scene, const settings::Set
     reference.trajectory = std::move(run);
     reference.halvings.push_back({finer.step.timeStep, difference, 0});
   }
+  // A start next to one that arrives in long steps can blow up in them.
+  if (result.parting.size() < reference.trajectory.states.size()) {
+    result.parting = partingOf(scene, reference.settings, reference.trajectory, watch);
+  }
   reference.trusted = reference.trajectory.checkpoints();
   return result;
 }
