@@ -110,6 +110,26 @@ TEST(AccuracyCheck, countsTheLiftThatAutoDoesNotTake) {
 }
 
 /// The damping of a fabric acts once in a step, so its error does not shrink with the substeps of `auto`.
+/// A sheet that falls onto a ball, which it touches after 0.03 s, and slides down there.
+TEST(AccuracyCheck, countsTheErrorOfContact) {
+  for (const char* solver : {"auto", "one_iteration", "xpbd"}) {
+    const std::vector<std::string> settings{"grid.resolution=9", "self_collision=exact", "time_step=1/150",
+                                            "substeps=4"};
+    Simulation checked(testing::builtIn("sphere", settings));
+    change(checked, "solver", std::string(solver));
+    change(checked, "error_check", true);
+    testing::takeSteps(checked, stepsOfACheck);
+    constexpr int parts = 32;  // contact acts once in a step, so shorter steps make it more accurate
+    Simulation fine(testing::builtIn("sphere", settings));
+    change(fine, "solver", std::string("verlet"));
+    change(fine, "time_step", 1.0 / 150.0 / parts);
+    change(fine, "substeps", 20);
+    testing::takeSteps(fine, parts * stepsOfACheck);
+    EXPECT_GT(checked.lastStepReport().contact.bodyContacts, 0) << "it lies on the ball";
+    expectRight(checked, fine, solver);
+  }
+}
+
 TEST(AccuracyCheck, countsTheErrorOfTheDampingOfAFabric) {
   const auto grid = smallGrid(9, {"material.model=fabric", "material.preset=jersey"});
   Simulation checked(grid);
