@@ -178,6 +178,7 @@ settings::Settings convergedSettings(settings::Settings settings) {
   settings.solver.name = "verlet";
   settings.step.integration = sim::Integration::BackwardEuler;
   settings.step.substeps = 1;
+  settings.step.precision = sim::Precision::Double;  // short steps in float would add up their rounding
   return settings;
 }
 

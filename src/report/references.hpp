@@ -56,7 +56,8 @@ struct ConvergenceTolerance {
 /// The settings of the same-step reference for a method's: solver newton, tolerance 1e-10.
 [[nodiscard]] settings::Settings sameStepSettings(settings::Settings settings);
 
-/// The settings from which the converged reference starts: solver verlet, backward Euler's integration, no substeps.
+/// The settings from which the converged reference starts: solver verlet in double, backward Euler's integration, no
+/// substeps.
 [[nodiscard]] settings::Settings convergedSettings(settings::Settings settings);
 
 /// Runs the reference with `settings` and checks that every solve reached its tolerance. Throws InputError when it

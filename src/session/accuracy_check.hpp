@@ -17,9 +17,9 @@
 namespace drape::session {
 
 /// Checks now and then how accurate a motion is. Two copies of the cloth take the steps of the next `window` with the
-/// solver `auto` in double, finer steps and the full lift; the start of the second copy is displaced by a micrometre.
-/// Both have the same bodies, attachment and settings, so air, lift and contact are part of the error. The cloth itself
-/// is not affected.
+/// solver `auto` in double, finer steps, the full stiffness and the full lift; the start of the second copy is
+/// displaced by a micrometre. Both have the same bodies, attachment and settings, so air, lift and contact are part of
+/// the error. The cloth itself is not affected.
 ///
 /// A state that does not follow from the last step, as after a reset, ends a check without a result. The scene whose
 /// bodies act must exist as long as the check.

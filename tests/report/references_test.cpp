@@ -132,6 +132,13 @@ TEST(ConvergedReference, ofVerletApproachesTheLimitWithTheSquareOfItsStep) {
   EXPECT_LT(sim::meanDistance(truth.states.back().positions, reference.trajectory.states.back().positions), 5e-6);
 }
 
+TEST(ConvergedReference, isInDoubleWhateverThePrecisionOfTheMethod) {
+  for (const char* precision : {"float", "double"}) {
+    const auto scene = testing::smallGrid({std::string("precision=") + precision});
+    EXPECT_EQ(convergedSettings(scene->settings).step.precision, sim::Precision::Double) << precision;
+  }
+}
+
 TEST(ConvergedReference, beginsBelowHalfOfTheStabilityLimit) {
   const auto scene = testing::smallGrid({"stiffness=1e5"});
   ConvergenceTolerance loose;

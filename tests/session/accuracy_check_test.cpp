@@ -110,6 +110,24 @@ TEST(AccuracyCheck, countsTheLiftThatAutoDoesNotTake) {
 }
 
 /// The damping of a fabric acts once in a step, so its error does not shrink with the substeps of `auto`.
+/// `auto` lowers the stiffness of springs and the stretch stiffness of a fabric to keep to its cost budget.
+TEST(AccuracyCheck, countsTheErrorOfALowerStiffness) {
+  const std::vector<std::vector<std::string>> cloths{
+      {"stiffness=1e5", "auto.soften=on", "auto.cost=1"},
+      {"material.model=fabric", "material.preset=cotton", "auto.strain=0.01", "auto.cost=1", "damping=0"}};
+  for (const std::vector<std::string>& settings : cloths) {
+    Simulation checked(smallGrid(9, settings));
+    change(checked, "solver", std::string("auto"));
+    change(checked, "error_check", true);
+    testing::takeSteps(checked, stepsOfACheck);
+    Simulation fine(smallGrid(9, settings));
+    makeFine(fine);
+    testing::takeSteps(fine, stepsOfACheck);
+    EXPECT_GT(sim::meanDistance(checked.state().positions, fine.state().positions), 1e-3) << settings.front();
+    expectRight(checked, fine, settings.front());
+  }
+}
+
 /// A sheet that falls onto a ball, which it touches after 0.03 s, and slides down there.
 TEST(AccuracyCheck, countsTheErrorOfContact) {
   for (const char* solver : {"auto", "one_iteration", "xpbd"}) {

@@ -27,7 +27,6 @@ void makeStable(const scene::Scene& scene, settings::Settings& settings) {
 
 settings::Settings firstSettings(const scene::Scene& scene, const settings::Settings& method) {
   settings::Settings settings = convergedSettings(method);
-  settings.step.precision = sim::Precision::Double;
   makeStable(scene, settings);
   return settings;
 }

@@ -22,12 +22,4 @@ void storeStepMemory(StepMemory memory, ClothState& state) {
   state.memory = std::make_shared<const AdaptiveMemory>(std::move(memory));
 }
 
-void copyStretchMemory(const ClothState& from, ClothState& to) {
-  const StepMemory chosen = stepMemoryOf(from);
-  StepMemory memory = stepMemoryOf(to);
-  memory.stretch = chosen.stretch;
-  memory.strainsMeasured = chosen.strainsMeasured;
-  storeStepMemory(std::move(memory), to);
-}
-
 }  // namespace drape::sim::adaptive

@@ -71,7 +71,4 @@ struct StepMemory {
 /// Puts a memory into a state. Copies of the state keep theirs.
 void storeStepMemory(StepMemory memory, ClothState& state);
 
-/// Gives a state the stretch stiffness that `auto` has chosen for another one.
-void copyStretchMemory(const ClothState& from, ClothState& to);
-
 }  // namespace drape::sim::adaptive
