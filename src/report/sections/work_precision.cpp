@@ -240,7 +240,9 @@ ReportRows measuredRows(ClothWithReference& cloth, const Entry& entry, const set
     for (ReportRow& row : rows) {
       writeErrors(cloth.scene(), run, *reference, row);
     }
-    if (isChaotic(rows) && spent < maxJitteredSeconds) {
+    // Rounding in float is accidental, too.
+    const bool isAccidental = isChaotic(rows) || settings.step.precision == sim::Precision::Float;
+    if (isAccidental && spent < maxJitteredSeconds) {
       writeSpread(cloth, settings, *reference, checkStop, limits.maxSeconds, rows);
     }
   } catch (const TooSlow&) {
