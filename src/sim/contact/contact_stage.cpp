@@ -25,8 +25,7 @@ constexpr int maxGuardRounds = 8;  // in which cloth is kept apart from itself, 
 /// overflow.
 bool hasBoundedPositions(const std::vector<Vec3>& positions) {
   constexpr double maxCoordinate = 1e8;  // [m]
-  return std::all_of(positions.begin(), positions.end(),
-                     [=](const Vec3& position) { return (position.array().abs() <= maxCoordinate).all(); });
+  return areWithin(positions, maxCoordinate);
 }
 
 /// Whether free vertices move so far relative to each other that only a solver that diverges can be the cause. The
@@ -113,7 +112,8 @@ BodyContact& ContactStage::bodyContact() {
 void ContactStage::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,
                                        const ContactParameters& contact, const StepInputs& inputs, ClothState& state,
                                        std::vector<SubstepContact>& found) {
-  if (!hasBoundedPositions(state.positions)) {
+  const bool acts = contact.self != SelfCollision::Off || meetsBodies(contact, inputs);
+  if (!acts || !hasBoundedPositions(state.positions)) {
     return;
   }
   extrapolate(state, parameters.timeStep);

@@ -47,6 +47,9 @@ struct ClothState {
 /// Moves the pinned vertices (one entry a vertex) by `by` [m].
 void movePins(const std::vector<bool>& pinned, const Vec3& by, ClothState& state);
 
+/// Whether the absolute value of every coordinate is at most `limit`; false for NaN.
+[[nodiscard]] bool areWithin(const std::vector<Vec3>& vectors, double limit);
+
 /// True if every coordinate [m] and velocity component [m/s] is at most 1e15 in size, so that its square is finite in
 /// float.
 [[nodiscard]] bool isFinite(const ClothState& state);
