@@ -130,6 +130,12 @@ class ProgressCheck {
 enum class Ending { Passed, Stalled, TooExpensive };
 
 std::string doubtAbout(const Reference& reference, Ending ending) {
+  if (reference.halvings.empty() && ending == Ending::TooExpensive) {
+    return fmt::format(
+        "The reference would take too long: whether it converges is known only after a run with half of its step of "
+        "{:.3g} s. Simulate a shorter time (--seconds) or a coarser mesh.",
+        reference.settings.step.timeStep);
+  }
   const auto failing = static_cast<std::size_t>(reference.trusted) + 1;
   if (failing >= reference.differences.size()) {
     return blewUp(reference);
@@ -214,7 +220,9 @@ Reference convergedReference(const scene::Scene& scene, const settings::Settings
   }
   if (reference.trusted < 1 && !tolerance.takeAnyway) {
     throw messages::InputError(reference.doubt +
-                               " Use a larger --reference-tolerance, or another solver with --reference-set");
+                               (reference.halvings.empty()
+                                    ? ""
+                                    : " Use a larger --reference-tolerance, or another solver with --reference-set"));
   }
   return reference;
 }

@@ -111,7 +111,15 @@ TEST(ConvergedReference, doesNotBeginARunThatIsTooLong) {
   ConvergenceTolerance tolerance;
   tolerance.absolute = 1e-12;
   tolerance.maxCost = 1.0;
-  EXPECT_THROW((void)firstOrder(*scene, tolerance), messages::InputError);
+  try {
+    (void)firstOrder(*scene, tolerance);
+    FAIL() << "it is too long";
+  } catch (const messages::InputError& error) {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("would take too long"), std::string::npos) << text;
+    EXPECT_NE(text.find("--seconds"), std::string::npos) << text;
+    EXPECT_EQ(text.find("still moved"), std::string::npos) << "no halving has taken place: " << text;
+  }
 }
 
 TEST(ConvergedReference, ofVerletApproachesTheLimitWithTheSquareOfItsStep) {
