@@ -12,7 +12,7 @@ namespace drape::bench {
 namespace {
 
 constexpr int steps = 450;        // 1.5 s
-constexpr double target = 300.0;  // [us] per step and thousand triangles of the cloth
+constexpr double target = 150.0;  // [us] per step and thousand triangles of the cloth
 
 /// The cloth and the body, in the syntax of scene files.
 struct Fall {

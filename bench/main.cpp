@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
     drape::bench::addViewerGroup(suite);
     drape::bench::addSelfCollisionGroup(suite);
     drape::bench::addBodyContactGroup(suite);
+    drape::bench::addContactGroup(suite);
     drape::bench::addAutoGroup(suite);
     drape::bench::addBulletGroup(suite);
     const drape::bench::Results results = suite.run(filter, repetitions, seconds);

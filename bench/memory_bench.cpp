@@ -1,22 +1,15 @@
 // The memory of a cloth, and the time from the parsed mesh to the first step.
 #include "bench/cloths.hpp"
+#include "bench/heap.hpp"
 #include "bench/suite.hpp"
 #include "io/mesh_import.hpp"
 #include "sim/simd/sliced_cloth.hpp"
 #include "sim/solvers/solver.hpp"
 
-#include <malloc.h>
-
 namespace drape::bench {
 namespace {
 
 constexpr int side = 317;  // 100,489 vertices
-
-/// Memory that the program has allocated from the C library and not freed [bytes].
-double heapInUse() {
-  const struct mallinfo2 info = mallinfo2();
-  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
-}
 
 /// Memory that remains allocated after `make`, for each vertex [bytes].
 template <typename Make>

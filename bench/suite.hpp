@@ -81,6 +81,7 @@ void addBulletGroup(Suite& suite);
 void addViewerGroup(Suite& suite);
 void addSelfCollisionGroup(Suite& suite);
 void addBodyContactGroup(Suite& suite);
+void addContactGroup(Suite& suite);
 void addAutoGroup(Suite& suite);
 
 }  // namespace drape::bench

@@ -1,0 +1,193 @@
+// Contact in built-in scenes: the time of contact for a thousand triangles of the cloth and a contact substep, the time
+// of whole scenes on one and two threads, the time of cloth at rest, and memory.
+#include "bench/heap.hpp"
+#include "bench/suite.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_file.hpp"
+#include "settings/settings_table.hpp"
+#include "sim/contact/bodies/world.hpp"
+#include "sim/stepping/stepper.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace drape::bench {
+namespace {
+
+constexpr double targetOfContact = 150.0;      // [us] for a thousand triangles and a contact substep
+constexpr double targetWhereNothingIs = 50.0;  // likewise
+constexpr double targetOfOneThread = 0.7;      // of a simulated second of the scene mannequin [s]
+constexpr double targetOfTwoThreads = 0.45;    // likewise
+constexpr double targetOfRest = 0.1;           // cloth at rest / cloth that moves
+
+using ScenePtr = std::shared_ptr<const scene::Scene>;
+
+ScenePtr sceneOf(const std::string& name, const std::vector<std::string>& settings, int threads) {
+  scene::SceneDescription description = scene::openScene(name);
+  for (const std::string& expression : settings) {
+    settings::assignSettingExpression(description.settings, expression);
+  }
+  description.settings.step.threads = threads;
+  return scene::buildScene(description, description.settings);
+}
+
+/// A scene that runs.
+class Run {
+ public:
+  explicit Run(ScenePtr scene)
+      : scene_(std::move(scene)),
+        stepper_(scene_->settings.solver.name),
+        state_(scene_->start),
+        world_(scene_->bodies, state_.time) {}
+
+  sim::StepReport step() {
+    const sim::StepParameters& parameters = scene_->settings.step;
+    world_.advance(state_.time, parameters.timeStep);
+    sim::StepInputs inputs;
+    inputs.bodies = &world_.steps();
+    const sim::StepReport report = stepper_.step(*scene_->model, parameters, inputs, state_);
+    contactSubsteps_ += stepper_.contactSubsteps();
+    itself_ += report.contact.selfSeconds;
+    bodies_ += report.contact.bodySeconds;
+    return report;
+  }
+
+  void run(double seconds) {
+    while (state_.time < seconds - 1e-9) {
+      step();
+    }
+  }
+
+  [[nodiscard]] double itself() const { return itself_ / units(); }   ///< [s] for a thousand triangles and substep
+  [[nodiscard]] double bodies() const { return bodies_ / units(); }   ///< likewise
+  [[nodiscard]] double contact() const { return itself_ + bodies_; }  ///< [s]
+  [[nodiscard]] double time() const { return state_.time; }
+
+ private:
+  [[nodiscard]] double units() const {
+    return contactSubsteps_ * static_cast<double>(scene_->model->triangles.size()) / 1000.0;
+  }
+
+  ScenePtr scene_;
+  sim::Stepper stepper_;
+  sim::ClothState state_;
+  sim::contact::BodyWorld world_;
+  double contactSubsteps_ = 0.0;
+  double itself_ = 0.0;  // [s]
+  double bodies_ = 0.0;  // [s]
+};
+
+/// The time of contact over `seconds` of a scene.
+Batch contactIn(const ScenePtr& scene, double seconds, double (Run::*time)() const) {
+  return {1.0, [=] {
+            Run run(scene);
+            run.run(seconds);
+            return (run.*time)();
+          }};
+}
+
+/// The wall-clock time of a simulated second.
+Batch secondOf(const ScenePtr& scene) {
+  return {1.0, [scene] {
+            Run run(scene);
+            return wallSeconds([&] { run.run(1.0); });
+          }};
+}
+
+void addContact(Suite& suite) {
+  const auto add = [&](const char* name, double bound, double seconds, double (Run::*time)() const,
+                       std::vector<std::string> settings) {
+    const std::string scene = std::string(name).substr(0, std::string(name).find(','));
+    suite.add({"contact", name, "us/1000 triangles", Bound{Bound::Side::AtMost, bound}},
+              [=] { return contactIn(sceneOf(scene, settings, 1), seconds, time); });
+  };
+  const std::vector<std::string> exact{"grid.resolution=65", "self_collision=exact"};
+  add("fold, 65x65, with itself", targetOfContact, 2.0, &Run::itself, exact);
+  add("grid, 65x65 in free fall, with itself", targetWhereNothingIs, 0.3, &Run::itself, exact);
+  add("mannequin, with itself", targetOfContact, 1.0, &Run::itself, {});
+  add("mannequin, with the body", targetOfContact, 1.0, &Run::bodies, {});
+  add("tablecloth, with the body", targetOfContact, 1.0, &Run::bodies, {});
+}
+
+void addThreads(Suite& suite) {
+  constexpr int cores = 2;
+  const std::vector<std::pair<std::string, std::vector<std::string>>> cloths{
+      {"mannequin in jersey", {}}, {"mannequin in springs", {"material.model=springs"}}};
+  for (const auto& [name, settings] : cloths) {
+    for (const int threads : {1, 2}) {
+      const double bound = threads == 1 ? targetOfOneThread : targetOfTwoThreads;
+      suite.add(
+          {"contact", name + ", a second, threads: " + std::to_string(threads), "s", Bound{Bound::Side::AtMost, bound}},
+          [=, values = settings] { return secondOf(sceneOf("mannequin", values, threads)); }, cores);
+    }
+  }
+  for (const int threads : {1, 2}) {
+    suite.add(
+        {"contact", "mannequin, contact, threads: " + std::to_string(threads), "s"},
+        [=] { return contactIn(sceneOf("mannequin", {}, threads), 1.0, &Run::contact); }, cores);
+  }
+  suite.addRatio({"contact", "mannequin, contact, 1 thread / 2", "contact/mannequin, contact, threads: 1",
+                  "contact/mannequin, contact, threads: 2", Bound{Bound::Side::AtLeast, 1.7}});
+}
+
+/// Runs a scene until its cloth sleeps.
+std::shared_ptr<Run> asleep(const ScenePtr& scene) {
+  constexpr double longest = 60.0;
+  auto run = std::make_shared<Run>(scene);
+  while (run->time() < longest) {
+    const sim::StepReport report = run->step();
+    if (report.choice && report.choice->sleeping) {
+      return run;
+    }
+  }
+  throw std::runtime_error("the cloth does not come to rest");
+}
+
+void addRest(Suite& suite) {
+  constexpr int steps = 300;
+  const auto stepsOf = [](const std::shared_ptr<Run>& run) {
+    return threadSeconds([&] {
+      for (int i = 0; i < steps; ++i) {
+        run->step();
+      }
+    });
+  };
+  suite.add({"contact", "sphere, cloth that moves", "us/step"}, [=]() -> Batch {
+    const ScenePtr scene = sceneOf("sphere", {"solver=auto"}, 1);
+    return {steps, [=] { return stepsOf(std::make_shared<Run>(scene)); }};
+  });
+  suite.add({"contact", "sphere, cloth asleep", "us/step"}, [=]() -> Batch {
+    const auto run = asleep(sceneOf("sphere", {"solver=auto"}, 1));
+    return {steps, [=] { return stepsOf(run); }};
+  });
+  suite.addRatio({"contact", "sphere, asleep / moving", "contact/sphere, cloth asleep",
+                  "contact/sphere, cloth that moves", Bound{Bound::Side::AtMost, targetOfRest}});
+}
+
+/// The memory that a scene needs with contact beyond that without [bytes/vertex].
+double memoryOfContact() {
+  constexpr double seconds = 0.5;
+  const auto bytesOf = [](const std::vector<std::string>& settings) {
+    const ScenePtr scene = sceneOf("mannequin", settings, 1);
+    const double before = heapInUse();
+    Run run(scene);
+    run.run(seconds);
+    return (heapInUse() - before) / scene->model->vertexCount();
+  };
+  return bytesOf({}) - bytesOf({"bodies=off", "self_collision=off"});
+}
+
+}  // namespace
+
+void addContactGroup(Suite& suite) {
+  addContact(suite);
+  addThreads(suite);
+  addRest(suite);
+  suite.addFigure({"contact", "mannequin, memory of contact", "bytes/vertex", Bound{Bound::Side::AtMost, 1000.0}},
+                  memoryOfContact);
+}
+
+}  // namespace drape::bench
