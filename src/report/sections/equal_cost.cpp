@@ -18,7 +18,7 @@ double costOf(const ReportRow& row) {
   return numberIn(row, "us_per_simulated_second");
 }
 
-/// The error of a setting [m]: from chaotic starts the median of all starts, since a single one is accidental.
+/// The error of a setting [m]: the median of all starts where there are several, since a single one is accidental.
 double errorOf(const ReportRow& row) {
   const double median = numberIn(row, "error_median");
   return std::isfinite(median) ? median : numberIn(row, "error_mean");
