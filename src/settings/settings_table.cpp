@@ -734,8 +734,8 @@ const std::array table{
     SettingInfo{"error_check", "Error check", "-", Advanced, SettingEffect::Step,
         FlagField{[](auto& s) -> auto& { return s.measures.errorCheck; }},
         "Compares 0.2 s of the motion with a more accurate one every 5 s, and shows the position error, or that it cannot be "
-        "known because tiny differences grow too fast. Uses another core for a few steps; does not change the motion. The "
-        "window starts with it on machines with four or more cores."},
+        "known because tiny differences grow too fast. Uses another core for a few steps, for stiff and fine cloth all the "
+        "time; does not change the motion. The window starts with it on machines with four or more cores."},
 };
 // clang-format on
 
