@@ -111,6 +111,17 @@ TEST(Conclusions, comparesTheMedianOfAllStartsWhereMotionIsChaotic) {
   EXPECT_NEAR(row["error_of_diagonal"].get<double>(), 0.04 / 1.414, 1e-9);
 }
 
+TEST(Conclusions, haveAnEmptyComparisonWhereNoOtherMethodIsCalm) {
+  SectionRows rows;
+  rows["work_precision"] = {measuredRow("auto", 10.0, 0.06), measuredRow("verlet", 5.0, 0.01, "exploded")};
+  const ReportRow row = answer(conclusions().derive(rows), "equal_cost", "method", "auto");
+  EXPECT_EQ(row["points"], 0);
+  for (const char* key : {"setting", "us_per_simulated_second", "error_mean", "error_of_diagonal", "by_error_mean"}) {
+    ASSERT_TRUE(row.contains(key)) << key;
+    EXPECT_TRUE(row[key].is_null()) << key;
+  }
+}
+
 TEST(Conclusions, listsTheClothsOnWhichAutoIsBehind) {
   SectionRows rows;
   rows["work_precision"] = {measuredRow("auto", 10.0, 0.06), measuredRow("verlet", 10.0, 0.03)};

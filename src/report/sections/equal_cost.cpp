@@ -92,6 +92,7 @@ ReportRow equalCostRow(const ReportRows& rows, ReportRow row) {
   row["method"] = own;
   copy(row, "setting", worst.setting, "setting");
   copy(row, "us_per_simulated_second", worst.setting, "us_per_simulated_second");
+  row["error_mean"] = row["error_of_diagonal"] = nullptr;
   if (worst.setting != nullptr) {
     const double error = errorOf(*worst.setting);
     row["error_mean"] = error;
