@@ -101,7 +101,7 @@ ModelPtr irregularSheet(int n) {
 
 ModelPtr tshirt() {
   scene::SceneDescription description;
-  description.source = scene::MeshFileSource{"tshirt.obj", true};
+  description.cloth().source = scene::MeshFileSource{"tshirt.obj", true};
   return scene::buildScene(description, description.settings)->model;
 }
 
