@@ -101,27 +101,47 @@ const char* stateOf(bool finite, double error, double motionKept) {
   return motionKept < frozen && error > visible ? "frozen" : "calm";
 }
 
-/// Makes the reference on first use and writes how well it is known. False when it is of no use.
-bool writeReference(BudgetCloth& cloth, const std::function<void()>& checkStop, ReportRow& row) {
+double valueAt(const std::vector<double>& values, int checkpoint) {
+  const auto at = static_cast<std::size_t>(checkpoint);
+  return at < values.size() ? values[at] : std::numeric_limits<double>::infinity();
+}
+
+/// Whether the reference is good enough at a checkpoint to judge errors by it.
+bool isKnownAt(const ContactReference& known, int checkpoint, double diagonal) {
   constexpr double useful = 0.01;   // of the diagonal
   constexpr double alike = 2.0;     // in a chaotic motion, nothing is known better than two starts part
   constexpr double useless = 0.05;  // of the diagonal
+  const double difference = valueAt(known.reference.differences, checkpoint);
+  return difference <= useful * diagonal ||
+         (difference <= alike * valueAt(known.parting, checkpoint) && difference <= useless * diagonal);
+}
+
+/// The last checkpoint at which the reference is good enough; the last of all if it is so nowhere after 0.1 s.
+int lastKnown(const BudgetCloth& cloth) {
+  constexpr int first = 3;
+  const double diagonal = sim::diagonalOf(*cloth.scene->model);
+  for (int checkpoint = cloth.checkpoints; checkpoint >= first; --checkpoint) {
+    if (isKnownAt(*cloth.reference, checkpoint, diagonal)) {
+      return checkpoint;
+    }
+  }
+  return cloth.checkpoints;
+}
+
+/// Makes the reference on first use and writes how well it is known. Where it is not good enough at the end of the
+/// motion, the errors count at an earlier time. False when it is of no use.
+bool writeReference(BudgetCloth& cloth, const std::function<void()>& checkStop, ReportRow& row) {
   if (!cloth.reference) {
     cloth.reference =
         contactReference(*cloth.scene, cloth.scene->settings, cloth.checkpoints, cloth.referenceSeconds, checkStop);
+    cloth.checkpoints = lastKnown(cloth);
   }
   const ContactReference& known = *cloth.reference;
-  const auto at = static_cast<std::size_t>(cloth.checkpoints);
-  const auto valueAt = [at](const std::vector<double>& values) {
-    return at < values.size() ? values[at] : std::numeric_limits<double>::infinity();
-  };
-  const double difference = valueAt(known.reference.differences);
+  row["time"] = cloth.checkpoints * checkpointInterval;
   row["reference_step"] = known.reference.settings.step.timeStep;
-  row["reference_difference"] = finiteOrNull(difference);
-  const double parting = valueAt(known.parting);
-  row["noise_floor"] = finiteOrNull(parting);
-  const double diagonal = sim::diagonalOf(*cloth.scene->model);
-  return difference <= useful * diagonal || (difference <= alike * parting && difference <= useless * diagonal);
+  row["reference_difference"] = finiteOrNull(valueAt(known.reference.differences, cloth.checkpoints));
+  row["noise_floor"] = finiteOrNull(valueAt(known.parting, cloth.checkpoints));
+  return isKnownAt(known, cloth.checkpoints, sim::diagonalOf(*cloth.scene->model));
 }
 
 /// Writes state and errors of a run; without a usable reference, or of one that blew up, only the state.
@@ -140,8 +160,9 @@ void writeErrors(const BudgetCloth& cloth, const settings::Settings& settings, c
   row["error_mean"] = finiteOrNull(summary.meanError);
   row["error_of_diagonal"] = finiteOrNull(summary.meanError / report.diagonal);
   row["motion_kept"] = finiteOrNull(summary.motionKept);
-  row["error_max"] =
-      finiteOrNull(sim::largestDistance(own.states.back().positions, reference.trajectory.states.back().positions));
+  row["error_max"] = finiteOrNull(
+      sim::largestDistance(own.states.back().positions,
+                           reference.trajectory.states.at(static_cast<std::size_t>(cloth.checkpoints)).positions));
 }
 
 bool wasTooSlow(const ReportRows& section, const ReportRow& row) {

@@ -12,11 +12,11 @@ namespace drape::report::sections {
 
 /// A cloth in its scene, with bodies and contact, for which a method is chosen.
 struct BudgetCloth {
-  std::string kind;                                ///< "garment on a body", or "own"
-  std::string name;                                ///< of the scene
-  std::shared_ptr<const scene::Scene> scene;       ///< with the time step and the self-collision of all methods
-  int checkpoints = 15;                            ///< the errors count at the last one
-  double maxCost = 0.0;                            ///< slower settings are stopped [ms per frame]
+  std::string kind;                           ///< "garment on a body", or "own"
+  std::string name;                           ///< of the scene
+  std::shared_ptr<const scene::Scene> scene;  ///< with the time step and the self-collision of all methods
+  int checkpoints = 15;  ///< the errors count at the last one; fewer where the reference is not good enough then
+  double maxCost = 0.0;  ///< slower settings are stopped [ms per frame]
   double referenceSeconds = 20.0;                  ///< see contactReference
   std::optional<ContactReference> reference = {};  ///< made on first use
 };
