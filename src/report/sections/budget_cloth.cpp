@@ -107,7 +107,7 @@ double valueAt(const std::vector<double>& values, int checkpoint) {
   return at < values.size() ? values[at] : std::numeric_limits<double>::infinity();
 }
 
-/// Whether the reference is good enough at a checkpoint to judge errors by it.
+/// Whether the reference is good enough at a checkpoint to measure errors by it.
 bool isKnownAt(const ContactReference& known, int checkpoint, double diagonal) {
   constexpr double useful = 0.01;   // of the diagonal
   constexpr double alike = 2.0;     // in a chaotic motion, nothing is known better than two starts part
