@@ -132,8 +132,8 @@ enum class Ending { Passed, Stalled, TooExpensive };
 std::string doubtAbout(const Reference& reference, Ending ending) {
   if (reference.halvings.empty() && ending == Ending::TooExpensive) {
     return fmt::format(
-        "The reference would take too long: whether it converges is known only after a run with half of its step of "
-        "{:.3g} s. Simulate a shorter time (--seconds) or a coarser mesh.",
+        "The reference would take too long: its convergence is tested by a run with half of its step of {:.3g} s. "
+        "Simulate a shorter time (--seconds) or a coarser mesh.",
         reference.settings.step.timeStep);
   }
   const auto failing = static_cast<std::size_t>(reference.trusted) + 1;

@@ -185,8 +185,7 @@ struct AutoTuning {
   /// The same while contacts act [W/kg]. Friction and the inelastic contacts remove energy, too.
   double maxHeatingInContact = 2e-4;
   /// Cloth with a higher mean speed than this is not coming to rest [m/s], except springs in contact: float would delay
-  /// their rest. Vibration by rounding in float stays far
-  /// below. Larger: double is used more often.
+  /// their rest. Vibration by rounding in float stays far below. Larger: double is used more often.
   double slowSpeed = 0.03;
   /// Steps in double after the energy of a fabric grew in float [-]. Larger: fewer attempts in float.
   int doubleSteps = 64;
