@@ -1,24 +1,22 @@
 #include "sim/contact/exact/edge_crossings.hpp"
 
+#include "intersection/orientation.hpp"
 #include "sim/contact/closest_features/triangle_geometry.hpp"
 
 namespace drape::sim::contact {
 namespace {
 
-double tetrahedronVolume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  return (b - a).cross(c - a).dot(d - a);
-}
-
+/// The signs are exact: with rounding errors, triangles of a flat part of the cloth would cross their neighbours.
 bool passesThrough(const Vec3& from, const Vec3& to, const Corners& triangle) {
-  const double before = tetrahedronVolume(triangle[0], triangle[1], triangle[2], from);
-  const double after = tetrahedronVolume(triangle[0], triangle[1], triangle[2], to);
-  if (!(before * after < 0.0)) {
+  using intersection::orientation;
+  const auto& [a, b, c] = triangle;
+  if (orientation(a, b, c, from) * orientation(a, b, c, to) >= 0) {
     return false;
   }
-  const double first = tetrahedronVolume(from, to, triangle[0], triangle[1]);
-  const double second = tetrahedronVolume(from, to, triangle[1], triangle[2]);
-  const double third = tetrahedronVolume(from, to, triangle[2], triangle[0]);
-  return (first >= 0.0 && second >= 0.0 && third >= 0.0) || (first <= 0.0 && second <= 0.0 && third <= 0.0);
+  const int first = orientation(from, to, a, b);
+  const int second = orientation(from, to, b, c);
+  const int third = orientation(from, to, c, a);
+  return (first >= 0 && second >= 0 && third >= 0) || (first <= 0 && second <= 0 && third <= 0);
 }
 
 /// Adds the edges that belong to triangle a and pass through triangle b.

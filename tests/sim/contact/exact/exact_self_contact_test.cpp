@@ -160,15 +160,15 @@ TEST(ExactSelfContact, addsEnergyToAGradedMeshForMomentsOnly) {
   scene.parameters.timeStep = 1.0 / 60.0;
   const double start = energyOf(scene.model(), scene.parameters, scene.state).total();
   double work = 0.0;
-  double highest = start;
-  scene.run(0.5, [&](const StepReport& report) {
+  std::vector<double> gained;
+  scene.run(1.5, [&](const StepReport& report) {
     work = std::max(work, report.contact.guardWork);
-    highest = std::max(highest, energyOf(scene.model(), scene.parameters, scene.state).total());
+    gained.push_back(energyOf(scene.model(), scene.parameters, scene.state).total() - start);
   });
   EXPECT_GT(work, 0.0) << "the guard had nothing to do";
   const double fall = 0.15 * 9.81 * 0.4;
-  EXPECT_LT(highest - start, fall);
-  EXPECT_LT(energyOf(scene.model(), scene.parameters, scene.state).total() - start, 0.2 * fall);
+  EXPECT_LT(std::ranges::max(gained), fall);
+  EXPECT_LT(*std::min_element(gained.end() - 30, gained.end()), 0.1 * fall) << "the least gain of the last 0.5 s";
 }
 
 TEST(ExactSelfContact, recoversFromABodyThatLeavesNoRoom) {
