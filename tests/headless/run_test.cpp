@@ -47,6 +47,13 @@ TEST(Run, addsNoEnergyToAFlagThatFoldsFastWithExactSelfCollision) {
   EXPECT_LT(stats["energy_kinetic"], 2.0) << "about 0.2 J";
 }
 
+TEST(Run, bringsATableclothToRest) {
+  const auto stats = statsOf("tablecloth --seconds 120 --set time_step=1/60 solver=auto grid.resolution=17");
+  EXPECT_EQ(stats["choice"]["sleeping"], 1.0);
+  EXPECT_EQ(stats["energy_kinetic"], 0.0);
+  EXPECT_EQ(stats["contact"]["intersections_max"], 0);
+}
+
 TEST(Run, reportsTheChoicesOfAuto) {
   const std::string sheet = "grid --set grid.resolution=17 --seconds 0.2 --set solver=";
   EXPECT_TRUE(statsOf(sheet + "one_iteration")["choice"].is_null());

@@ -39,10 +39,12 @@ bool areNear(const std::vector<Vec3>& positions, const std::vector<Vec3>& before
 }
 
 /// Whether the vertices are still near the reference. Of cloth that settles their mean displacement counts.
-bool isNearReference(const std::vector<Vec3>& positions, double distance, const StepMemory& memory) {
+bool isNearReference(const std::vector<Vec3>& positions, double distance, double errorTolerance,
+                     const StepMemory& memory) {
   const std::vector<Vec3>& reference = *memory.sleepReference;
   return areNear(positions, reference, distance) ||
-         (isSettling(memory) && positions.size() == reference.size() && hardlyMoved(reference, positions, distance));
+         (isSettling(memory) && positions.size() == reference.size() &&
+          hardlyMoved(reference, positions, tuning.settledToleranceFraction * errorTolerance));
 }
 
 /// Weight and the air's force on a vertex at rest [N].
@@ -150,7 +152,8 @@ bool SleepDetection::isAsleep(const ClothModel& model, const SleepConditions& co
   }
   const double distance =
       std::min(tuning.sleepToleranceFraction * conditions.errorTolerance, tuning.sleepEdgeFraction * data.meanEdge);
-  if (memory.sleepReference == nullptr || !isNearReference(state.positions, distance, memory)) {
+  if (memory.sleepReference == nullptr ||
+      !isNearReference(state.positions, distance, conditions.errorTolerance, memory)) {
     forgetReference(memory);
     if (memory.steps % tuning.sleepCheckInterval == 0) {
       setReference(state, memory);

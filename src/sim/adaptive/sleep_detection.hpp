@@ -30,7 +30,8 @@ struct SleepConditions {
 /// Detects cloth at rest and puts it to sleep until something changes.
 ///
 /// Cloth sleeps when for one second no vertex moved further than a tenth of the error tolerance or a thousandth of the
-/// mean edge length. Of cloth that settles (adaptive::settle) the mean displacement counts. Damping or drag must act,
+/// mean edge length. Of cloth that settles (adaptive::settle) the mean displacement counts, which must stay below
+/// tuning.settledToleranceFraction of the error tolerance. Damping or drag must act,
 /// there must be no attachment, and pins or bodies must support every piece: a piece without pins must lie on a body in
 /// the direction of its weight and the air's force. Cloth in wind whose pieces all have pins must also stay in place
 /// for one more second after a disturbance that is too small to be seen: a sheet in line with the wind is in an

@@ -255,6 +255,11 @@ struct AutoTuning {
   double sleepToleranceFraction = 0.1;
   double sleepEdgeFraction = 1e-3;
   double sleepTime = 1.0;
+  /// Cloth that settles sleeps when its mean displacement was below this fraction of the error tolerance for
+  /// `sleepTime`
+  /// [-]. Larger: slow creep stops. Smaller: cloth that contact moves back and forth by hundredths of a millimetre
+  /// stays awake.
+  double settledToleranceFraction = 0.3;
   /// Cloth in wind is disturbed before it sleeps, by this fraction of the distance above [-]. Larger: visible.
   /// Smaller: the disturbance is lost in rounding, or an instability is not noticed within `sleepTime`.
   double disturbance = 0.01;
