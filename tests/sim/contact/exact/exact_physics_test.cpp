@@ -289,6 +289,9 @@ TEST(ExactSelfContact, comesToRestInLayersOnABody) {
   EXPECT_TRUE(report.choice && report.choice->sleeping);
   EXPECT_GT(report.contact.selfContacts, 10);
   EXPECT_EQ(scene.pairsWithItself(), 0U);
+  report = scene.step();
+  EXPECT_GT(report.contact.bodyContacts, 0);
+  EXPECT_EQ(report.contact.bodySeconds + report.contact.selfSeconds, 0.0) << "contact of sleeping cloth costs time";
 }
 
 }  // namespace
