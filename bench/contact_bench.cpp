@@ -169,17 +169,33 @@ void addRest(Suite& suite) {
                   "contact/sphere, cloth that moves", Bound{Bound::Side::AtMost, targetOfRest}});
 }
 
-/// The memory that a scene needs with contact beyond that without [bytes/vertex].
-double memoryOfContact() {
+/// The memory that a scene needs with contact beyond that without.
+struct ContactMemory {
+  int vertices = 0;    // of the cloth
+  double bytes = 0.0;  // of the cloth and of the body
+};
+
+ContactMemory memoryOfContact(const std::string& subdivide) {
   constexpr double seconds = 0.5;
-  const auto bytesOf = [](const std::vector<std::string>& settings) {
+  ContactMemory memory;
+  const auto bytesOf = [&](std::vector<std::string> settings) {
+    settings.push_back("subdivide=" + subdivide);
     const ScenePtr scene = sceneOf("mannequin", settings, 1);
+    memory.vertices = scene->model->vertexCount();
     const double before = heapInUse();
     Run run(scene);
     run.run(seconds);
-    return (heapInUse() - before) / scene->model->vertexCount();
+    return heapInUse() - before;
   };
-  return bytesOf({}) - bytesOf({"bodies=off", "self_collision=off"});
+  memory.bytes = bytesOf({}) - bytesOf({"bodies=off", "self_collision=off"});
+  return memory;
+}
+
+/// What each further vertex of the cloth needs [bytes]. The search trees of the body do not count.
+double memoryOfAVertex() {
+  const ContactMemory coarse = memoryOfContact("0");
+  const ContactMemory fine = memoryOfContact("1");
+  return (fine.bytes - coarse.bytes) / (fine.vertices - coarse.vertices);
 }
 
 }  // namespace
@@ -189,7 +205,7 @@ void addContactGroup(Suite& suite) {
   addThreads(suite);
   addRest(suite);
   suite.addFigure({"contact", "mannequin, memory of contact", "bytes/vertex", Bound{Bound::Side::AtMost, 1000.0}},
-                  memoryOfContact);
+                  memoryOfAVertex);
 }
 
 }  // namespace drape::bench
