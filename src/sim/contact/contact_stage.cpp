@@ -73,6 +73,7 @@ void ContactStage::begin(const ContactParameters& contact, const StepInputs& inp
   bodySeconds_ = selfSeconds_ = 0.0;
   if (active_) {
     start_ = state.positions;
+    startIsBounded_ = hasBoundedPositions(start_);
   }
 }
 
@@ -138,7 +139,7 @@ void ContactStage::findSubstepContacts(const ClothModel& model, const CommonPara
 bool ContactStage::addMissedContacts(const ClothModel& model, const CommonParameters& parameters,
                                      const ContactParameters& contact, const ClothState& state,
                                      std::vector<SubstepContact>& listed) {
-  if (contact.self != SelfCollision::Exact || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
+  if (contact.self != SelfCollision::Exact || !startIsBounded_ || !hasBoundedPositions(state.positions)) {
     return false;
   }
   const auto begin = std::chrono::steady_clock::now();
@@ -227,7 +228,7 @@ ContactReport ContactStage::correct(const ClothModel& model, const CommonParamet
   ContactReport report{.bodySeconds = bodySeconds_, .selfSeconds = selfSeconds_};
   // Only exact self-collision prevents intersections, and sets this again.
   const bool hadNoIntersection = std::exchange(state.hasNoSelfIntersection, false);
-  if (!active_ || !hasBoundedPositions(start_) || !hasBoundedPositions(state.positions)) {
+  if (!active_ || !startIsBounded_ || !hasBoundedPositions(state.positions)) {
     return report;
   }
   if (contact.self == SelfCollision::Exact && diverges(model, start_, state.positions, parameters.timeStep)) {

@@ -107,6 +107,7 @@ class ContactStage {
   bool active_ = false;                  // contact is on
   bool changed_ = false;                 // the last `resolve` had contacts
   std::vector<Vec3> start_;              // positions at the start of the contact substep [m]
+  bool startIsBounded_ = false;          // whether these are small enough for a search
   std::unique_ptr<BodyContact> bodies_;  // created at first use
   ClothState unresolved_;                // predicted positions and velocities
   ClothState beforeGuard_;               // positions and velocities before the guard

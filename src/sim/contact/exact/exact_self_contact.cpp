@@ -171,9 +171,13 @@ void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) 
 
 /// The speed of the fastest pin in the step [m/s].
 double ExactSelfContact::pinSpeedOf(const ExactStep& step, std::span<const Vec3> end) {
+  const std::vector<bool>& pinned = step.model.pinned;
+  if (std::ranges::find(pinned, true) == pinned.end()) {
+    return 0.0;
+  }
   double squared = 0.0;
   for (std::size_t v = 0; v < end.size(); ++v) {
-    if (inverseMass(step.model)[v] == 0.0) {
+    if (pinned[v]) {
       squared = std::max(squared, (end[v] - step.start[v]).squaredNorm());
     }
   }
@@ -267,7 +271,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
   fallback_.resize(before_.size());
   for (std::size_t v = 0; v < before_.size(); ++v) {
     // The guard does not move pins.
-    fallback_[v] = inverseMass(step.model)[v] > 0.0 ? Vec3(unmoved[v] + common) : before_[v];
+    fallback_[v] = step.model.pinned[v] ? before_[v] : Vec3(unmoved[v] + common);
   }
   const auto memory = std::make_shared<SelfContactMemory>();
   memory->vertices = step.model.vertexCount();
