@@ -255,8 +255,7 @@ struct AutoTuning {
   double sleepToleranceFraction = 0.1;
   double sleepEdgeFraction = 1e-3;
   double sleepTime = 1.0;
-  /// Cloth that settles sleeps when its mean displacement was below this fraction of the error tolerance for
-  /// `sleepTime`
+  /// Cloth that settles sleeps when its mean displacement in `sleepTime` was below this fraction of the error tolerance
   /// [-]. Larger: slow creep stops. Smaller: cloth that contact moves back and forth by hundredths of a millimetre
   /// stays awake.
   double settledToleranceFraction = 0.3;
