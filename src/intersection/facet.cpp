@@ -85,12 +85,7 @@ bool meet(const Segment& segment, const Facet& facet) {
   if (from == 0 && to == 0) {
     return meetInPlane(segment, facet);
   }
-  // The segment intersects the plane in one point. It is inside if the line passes all three sides in the same sense.
-  const auto& [a, b, c] = facet.corners();
-  const int ab = orientation(segment.from, segment.to, a, b);
-  const int bc = orientation(segment.from, segment.to, b, c);
-  const int ca = orientation(segment.from, segment.to, c, a);
-  return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+  return isPassedByLine(facet.corners(), segment.from, segment.to);
 }
 
 bool before(const Point& a, const Point& b) {

@@ -195,6 +195,15 @@ int orientation(const Point& a, const Point& b, const Point& c, const Point& d) 
   return exactVolumeSign(a, b, c, d);
 }
 
+bool isPassedByLine(const std::array<Point, 3>& triangle, const Point& from, const Point& to) {
+  // The line passes all three sides in the same sense.
+  const auto& [a, b, c] = triangle;
+  const int ab = orientation(from, to, a, b);
+  const int bc = orientation(from, to, b, c);
+  const int ca = orientation(from, to, c, a);
+  return (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+}
+
 int orientation(const Point& a, const Point& b, const Point& c, Projection p) {
   if (const int sign = roundedAreaSign(a, b, c, p); sign != 0) {
     return sign;

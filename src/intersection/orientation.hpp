@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace drape::intersection {
 
@@ -11,6 +12,11 @@ namespace drape::intersection {
 /// length (GMP). The coordinates must be finite.
 [[nodiscard]] int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                               const Eigen::Vector3d& d);
+
+/// Whether a line through a triangle's plane passes through the triangle, or touches its border. Exact.
+/// @param from, to two points of the line on different sides of the plane, or one of them in it
+[[nodiscard]] bool isPassedByLine(const std::array<Eigen::Vector3d, 3>& triangle, const Eigen::Vector3d& from,
+                                  const Eigen::Vector3d& to);
 
 /// A projection along a coordinate axis: the two coordinates that remain.
 struct Projection {

@@ -117,7 +117,7 @@ bool isKnownAt(const ContactReference& known, int checkpoint, double diagonal) {
          (difference <= alike * valueAt(known.parting, checkpoint) && difference <= useless * diagonal);
 }
 
-/// The last checkpoint at which the reference is good enough; the last of all if it is so nowhere after 0.1 s.
+/// The last checkpoint from 0.1 s on at which the reference is good enough; without one, the last of all.
 int lastKnown(const BudgetCloth& cloth) {
   constexpr int first = 3;
   const double diagonal = sim::diagonalOf(*cloth.scene->model);

@@ -10,7 +10,7 @@ namespace drape::sim {
 [[nodiscard]] inline Eigen::AlignedBox3d boundsOf(std::span<const Vec3> points) {
   Eigen::AlignedBox3d box;
   std::size_t done = 0;
-  // Four points at a time are whole vectors.
+  // The coordinates of four points fill vector registers, those of one point do not.
   using Four = Eigen::Array<double, 3, 4>;
   if (points.size() >= 4) {
     Four low = Eigen::Map<const Four>(points[0].data());

@@ -6,17 +6,13 @@
 namespace drape::sim::contact {
 namespace {
 
-/// The signs are exact: with rounding errors, triangles of a flat part of the cloth would cross their neighbours.
+/// Whether an edge has its ends on different sides of a triangle and passes through it. The test is exact: with
+/// rounding errors, neighbours in a flat part of the cloth would cross.
 bool passesThrough(const Vec3& from, const Vec3& to, const Corners& triangle) {
-  using intersection::orientation;
-  const auto& [a, b, c] = triangle;
-  if (orientation(a, b, c, from) * orientation(a, b, c, to) >= 0) {
-    return false;
-  }
-  const int first = orientation(from, to, a, b);
-  const int second = orientation(from, to, b, c);
-  const int third = orientation(from, to, c, a);
-  return (first >= 0 && second >= 0 && third >= 0) || (first <= 0 && second <= 0 && third <= 0);
+  const auto sideOf = [&](const Vec3& point) {
+    return intersection::orientation(triangle[0], triangle[1], triangle[2], point);
+  };
+  return sideOf(from) * sideOf(to) < 0 && intersection::isPassedByLine(triangle, from, to);
 }
 
 /// Adds the edges that belong to triangle a and pass through triangle b.

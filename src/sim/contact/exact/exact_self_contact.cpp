@@ -171,13 +171,9 @@ void ExactSelfContact::solvePositions(const ExactStep& step, ClothState& state) 
 
 /// The speed of the fastest pin in the step [m/s].
 double ExactSelfContact::pinSpeedOf(const ExactStep& step, std::span<const Vec3> end) {
-  const std::vector<bool>& pinned = step.model.pinned;
-  if (std::ranges::find(pinned, true) == pinned.end()) {
-    return 0.0;
-  }
   double squared = 0.0;
   for (std::size_t v = 0; v < end.size(); ++v) {
-    if (pinned[v]) {
+    if (step.model.pinned[v]) {
       squared = std::max(squared, (end[v] - step.start[v]).squaredNorm());
     }
   }

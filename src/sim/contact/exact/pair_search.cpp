@@ -18,10 +18,10 @@ constexpr double minMargin = 0.1;
 constexpr double maxMargin = 1.0;
 constexpr double maxMarginOfShortLists = 5.0;  // of lists with fewer pairs than half the number of vertices
 
-/// Lists with more pairs a vertex get a smaller largest margin. On meshes with edges shorter than the reach, neighbours
-/// at the borders of patches are near. The number of pairs then grows with the third power of the margin, and going
-/// through the list costs more than a search. [-]
-constexpr double longList = 8.0;
+/// Lists with more pairs than this number a vertex get a smaller largest margin [-]. On meshes with edges shorter than
+/// the reach, neighbours at the borders of patches are near. The number of pairs then grows with the third power of the
+/// margin, and visiting all pairs of the list costs more than a search.
+constexpr double pairsOfLongLists = 8.0;
 
 /// The minimum margin grows after a list that lasted for fewer updates than the first number, and shrinks after one
 /// that lasted for more than the second.
@@ -95,14 +95,15 @@ void PairSearch::adaptMargin() {
   margin_ = std::clamp(factor * margin_, minMargin, largestMargin());
 }
 
-/// The largest margin, in reaches. Where few pairs are near, larger boxes add few pairs; where many are, they add many.
+/// The largest margin, in reaches. Larger boxes add few pairs to a short list, and many to a long one.
 double PairSearch::largestMargin() const {
   const auto pairs = static_cast<double>(pairs_.size());
   const auto vertices = static_cast<double>(positions_.size());
   if (2.0 * pairs < vertices) {
     return maxMarginOfShortLists;
   }
-  return pairs > longList * vertices ? std::max(minMargin, maxMargin * longList * vertices / pairs) : maxMargin;
+  const double wanted = pairsOfLongLists * vertices;
+  return pairs > wanted ? std::max(minMargin, maxMargin * wanted / pairs) : maxMargin;
 }
 
 /// Measures how far the vertices are from the centres of their boxes.

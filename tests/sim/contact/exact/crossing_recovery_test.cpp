@@ -1,6 +1,7 @@
 #include "sim/contact/exact/crossing_recovery.hpp"
 
 #include "contact/contact_scene.hpp"
+#include "contact/exact/crossings_at_rest.hpp"
 #include "intersection/intersections.hpp"
 #include "sim/contact/solve/contact_solver.hpp"
 #include "test_meshes.hpp"
@@ -74,11 +75,9 @@ struct Crossings {
   std::vector<EdgeCrossing> found;
 
   explicit Crossings(const ClothMesh& cloth)
-      : model(buildClothModel(cloth, 1.0, MassLumping::Uniform, {})), mesh(featureMeshOf(*model)) {
-    MeshTree tree(model->restPositions, model->triangles, 8);
-    LeafBoxes boxes(mesh, tree);
-    findCrossings(mesh, tree, boxes, model->restPositions, found);
-  }
+      : model(buildClothModel(cloth, 1.0, MassLumping::Uniform, {})),
+        mesh(featureMeshOf(*model)),
+        found(testing::crossingsAtRest(*model, mesh)) {}
 
   [[nodiscard]] std::vector<int> wrongEnds() const {
     return wrongEndsOf(mesh, found, contoursOf(mesh, found), CrossingField(mesh, model->vertexMass),

@@ -1,5 +1,6 @@
 #include "sim/contact/exact/edge_crossings.hpp"
 
+#include "contact/exact/crossings_at_rest.hpp"
 #include "intersection/intersections.hpp"
 #include "test_meshes.hpp"
 
@@ -37,12 +38,7 @@ ClothMesh dividedSheet(int side) {
 
 std::vector<EdgeCrossing> crossingsOf(const ClothMesh& cloth) {
   const auto model = buildClothModel(cloth, 1.0, MassLumping::Uniform, {});
-  const FeatureMesh mesh = featureMeshOf(*model);
-  MeshTree tree(model->restPositions, model->triangles, 8);
-  LeafBoxes boxes(mesh, tree);
-  std::vector<EdgeCrossing> crossings;
-  findCrossings(mesh, tree, boxes, model->restPositions, crossings);
-  return crossings;
+  return testing::crossingsAtRest(*model, featureMeshOf(*model));
 }
 
 TEST(EdgeCrossings, areNotFoundBetweenThePartsOfDividedTriangles) {

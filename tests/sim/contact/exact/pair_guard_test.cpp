@@ -1,7 +1,7 @@
 #include "sim/contact/exact/pair_guard.hpp"
 
+#include "contact/exact/crossings_at_rest.hpp"
 #include "intersection/intersections.hpp"
-#include "sim/contact/exact/edge_crossings.hpp"
 #include "test_meshes.hpp"
 
 #include <gtest/gtest.h>
@@ -160,10 +160,7 @@ TEST(EdgeCrossings, agreeWithTheExactIntersectionTest) {
     std::mt19937 random(seed);
     const auto model = buildClothModel(triangleSoup(100, random), 1.0, MassLumping::Uniform, {});
     const FeatureMesh mesh = featureMeshOf(*model);
-    MeshTree tree(model->restPositions, model->triangles, 8);
-    LeafBoxes boxes(mesh, tree);
-    std::vector<EdgeCrossing> crossings;
-    findCrossings(mesh, tree, boxes, model->restPositions, crossings);
+    const std::vector<EdgeCrossing> crossings = testing::crossingsAtRest(*model, mesh);
     std::vector<char> entangled;
     markEntangled(mesh, crossings, model->restPositions.size(), entangled);
     const auto pairs = intersection::intersectingPairs({model->restPositions, model->triangles});
