@@ -70,7 +70,8 @@ ContactStage::~ContactStage() = default;
 void ContactStage::begin(const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
   active_ = contact.self != SelfCollision::Off || meetsBodies(contact, inputs);
   changed_ = false;
-  bodySeconds_ = selfSeconds_ = 0.0;
+  bodySeconds_ = std::exchange(bodySecondsBefore_, 0.0);
+  selfSeconds_ = std::exchange(selfSecondsBefore_, 0.0);
   if (active_) {
     start_ = state.positions;
     startIsBounded_ = hasBoundedPositions(start_);
@@ -79,18 +80,24 @@ void ContactStage::begin(const ContactParameters& contact, const StepInputs& inp
 
 bool ContactStage::isNearBodies(const ClothModel& model, const CommonParameters& parameters,
                                 const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
+  const auto begin = std::chrono::steady_clock::now();
   const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
   extrapolate(state, parameters.timeStep);
-  return hasBoundedPositions(state.positions) &&
-         bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
+  const bool isNear = hasBoundedPositions(state.positions) &&
+                      bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
+  bodySecondsBefore_ += secondsSince(begin);
+  return isNear;
 }
 
 SelfApproach ContactStage::approachOfItself(const ClothModel& model, const CommonParameters& parameters,
                                             const ContactParameters& contact, const ClothState& state) {
   if (contact.self == SelfCollision::Exact && hasBoundedPositions(state.positions)) {
+    const auto begin = std::chrono::steady_clock::now();
     extrapolate(state, parameters.timeStep);
-    return exactSelfContact().approach(
+    const SelfApproach approach = exactSelfContact().approach(
         {model, parameters, contact, state.positions, state.hasNoSelfIntersection, state.selfContact}, ahead_);
+    selfSecondsBefore_ += secondsSince(begin);
+    return approach;
   }
   const bool hasPairs = state.selfContact == nullptr || state.selfContact->pairs.count() > 0;
   return {.isNear = contact.self == SelfCollision::Hash && hasPairs, .motion = 0.0};
@@ -121,18 +128,18 @@ void ContactStage::findSubstepContacts(const ClothModel& model, const CommonPara
   if (contact.self == SelfCollision::Hash) {
     const auto begin = std::chrono::steady_clock::now();
     selfContact().findSubstepContacts(model, parameters, contact, ahead_, state, found);
-    selfSeconds_ = secondsSince(begin);
+    selfSeconds_ += secondsSince(begin);
   }
   if (contact.self == SelfCollision::Exact) {
     const auto begin = std::chrono::steady_clock::now();
     exactSelfContact().findSubstepContacts(
         {model, parameters, contact, state.positions, state.hasNoSelfIntersection, state.selfContact}, ahead_, found);
-    selfSeconds_ = secondsSince(begin);
+    selfSeconds_ += secondsSince(begin);
   }
   if (meetsBodies(contact, inputs)) {
     const auto begin = std::chrono::steady_clock::now();
     bodyContact().findSubstepContacts(model, parameters, contact, *inputs.bodies, state.positions, ahead_, found);
-    bodySeconds_ = secondsSince(begin);
+    bodySeconds_ += secondsSince(begin);
   }
 }
 
