@@ -96,34 +96,53 @@ double MeshClearance::slackOf(const SearchableMesh& mesh, const ClothMotion& mot
   return slack;
 }
 
-bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
-                              std::uint64_t models) {
+/// Forgets what is known of another cloth or distance.
+void MeshClearance::prepare(const ClothMotion& motion, double distance, std::uint64_t models) {
   if (models != models_ || distance != distance_ || known_.size() != motion.clusters.count()) {
     known_.assign(motion.clusters.count(), {});
     models_ = models;
     distance_ = distance;
   }
+}
+
+bool MeshClearance::clusterCouldMeet(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster) {
+  const std::span<const int> vertices = motion.clusters.vertices(cluster);
+  Known& known = known_[cluster];
+  const auto isWithin = [&] {
+    const double squared = known.slack * known.slack;
+    return known.slack >= 0.0 && squaredMove(vertices, motion.start, known.reference) <= squared &&
+           squaredMove(vertices, motion.end, known.reference) <= squared;
+  };
+  if (isWithin()) {
+    return false;
+  }
+  known.reference.clear();
+  for (const int v : vertices) {
+    known.reference.push_back(vectorAt(motion.start, v));
+  }
+  known.slack = slackOf(mesh, motion, cluster, distance_);
+  if (isWithin()) {
+    return false;
+  }
+  lastCluster_ = cluster;
+  return true;
+}
+
+bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
+                              std::uint64_t models) {
+  prepare(motion, distance, models);
   for (std::size_t c = 0; c < known_.size(); ++c) {
-    const std::span<const int> vertices = motion.clusters.vertices(c);
-    Known& known = known_[c];
-    const auto isWithin = [&] {
-      const double squared = known.slack * known.slack;
-      return known.slack >= 0.0 && squaredMove(vertices, motion.start, known.reference) <= squared &&
-             squaredMove(vertices, motion.end, known.reference) <= squared;
-    };
-    if (isWithin()) {
-      continue;
-    }
-    known.reference.clear();
-    for (const int v : vertices) {
-      known.reference.push_back(vectorAt(motion.start, v));
-    }
-    known.slack = slackOf(mesh, motion, c, distance);
-    if (!isWithin()) {
+    if (clusterCouldMeet(mesh, motion, c)) {
       return true;
     }
   }
   return false;
+}
+
+bool MeshClearance::couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
+                              std::uint64_t models, std::size_t cluster) {
+  prepare(motion, distance, models);
+  return clusterCouldMeet(mesh, motion, cluster);
 }
 
 bool freeClothIsNear(const SearchableMesh& mesh, const ClothMotion& motion, double far, std::size_t cluster) {

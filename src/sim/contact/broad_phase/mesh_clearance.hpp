@@ -33,12 +33,21 @@ class MeshClearance {
   [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
                                std::uint64_t models);
 
+  /// The same for one cluster. Reads the motion of its vertices only.
+  [[nodiscard]] bool couldMeet(const SearchableMesh& mesh, const ClothMotion& motion, double distance,
+                               std::uint64_t models, std::size_t cluster);
+
+  /// The cluster for which the result was true last.
+  [[nodiscard]] std::size_t lastCluster() const { return lastCluster_; }
+
  private:
   struct Known {
     std::vector<Vec3> reference;  // positions of the cluster's vertices [m]
     double slack = -1.0;          // permitted displacement of each from there [m]
   };
 
+  void prepare(const ClothMotion& motion, double distance, std::uint64_t models);
+  [[nodiscard]] bool clusterCouldMeet(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster);
   [[nodiscard]] double slackOf(const SearchableMesh& mesh, const ClothMotion& motion, std::size_t cluster,
                                double distance);
 
@@ -48,6 +57,7 @@ class MeshClearance {
   std::vector<Extent> extents_;
   std::uint64_t models_ = 0;  // model of `known_`
   double distance_ = 0.0;     // distance of `known_` [m]
+  std::size_t lastCluster_ = 0;
 };
 
 /// Whether a vertex of a cluster that is not pinned could come within the distance `far` [m] of a mesh's surface. The

@@ -98,31 +98,46 @@ ClothMotion ReachableBodies::motionIn(const BodyStep& body, const ClothModel& mo
   return {model, cloth.clusters, localStart_, localEnd_};
 }
 
+/// The same for one cluster only.
+ClothMotion ReachableBodies::clusterMotionIn(const BodyStep& body, const ClothModel& model, const PreparedCloth& cloth,
+                                             std::size_t cluster, const std::vector<Vec3>& start,
+                                             const std::vector<Vec3>& end) {
+  const IntoFrame toStart(body.start);
+  const IntoFrame toEnd(body.end);
+  localStart_.resize(start.size());
+  localEnd_.resize(end.size());
+  for (const int v : cloth.clusters.vertices(cluster)) {
+    localStart_[v] = toStart(start[v]);
+    localEnd_[v] = toEnd(end[v]);
+  }
+  return {model, cloth.clusters, localStart_, localEnd_};
+}
+
 /// Whether free cloth comes within the distance `far` [m] of a rigid mesh. The cluster that was near the last time is
 /// tested first, so that the rest of the cloth need not be transformed.
 bool ReachableBodies::isNear(const BodyStep& body, Mesh& mesh, const ClothModel& model, const PreparedCloth& cloth,
                              const std::vector<Vec3>& start, const std::vector<Vec3>& end, double far) {
-  if (mesh.nearCluster < cloth.clusters.count()) {
-    const IntoFrame toStart(body.start);
-    const IntoFrame toEnd(body.end);
-    localStart_.resize(start.size());
-    localEnd_.resize(end.size());
-    for (const int v : cloth.clusters.vertices(mesh.nearCluster)) {
-      localStart_[v] = toStart(start[v]);
-      localEnd_[v] = toEnd(end[v]);
-    }
-    if (freeClothIsNear(mesh.searchable, {model, cloth.clusters, localStart_, localEnd_}, far, mesh.nearCluster)) {
-      return true;
-    }
+  const std::size_t first = mesh.nearCluster;
+  if (first < cloth.clusters.count() &&
+      freeClothIsNear(mesh.searchable, clusterMotionIn(body, model, cloth, first, start, end), far, first)) {
+    return true;
   }
   return anyFreeClothIsNear(mesh.searchable, motionIn(body, model, cloth, start, end), far, mesh.nearCluster);
 }
 
-/// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the present positions.
+/// Whether the cloth certainly does not touch a mesh on its way to the predicted and to the present positions. The
+/// cluster that could meet the mesh the last time is tested first, so that the rest of the cloth need not be
+/// transformed.
 bool ReachableBodies::isKnownClearOf(const ClothStep& step, const PreparedCloth& cloth, const BodyStep& body,
                                      Mesh& mesh, const std::vector<Vec3>& positions) {
   const SearchableMesh& searchable = mesh.searchable;
   const double offset = clearanceRatio * contactOffsetOf(body, step.contact);
+  const std::size_t first = mesh.clearance.lastCluster();
+  if (first < cloth.clusters.count() &&
+      mesh.clearance.couldMeet(searchable, clusterMotionIn(body, step.model, cloth, first, step.start, step.predicted),
+                               offset, cloth.number, first)) {
+    return false;
+  }
   for (const std::vector<Vec3>* ends : {&step.predicted, &positions}) {
     if (mesh.clearance.couldMeet(searchable, motionIn(body, step.model, cloth, step.start, *ends), offset,
                                  cloth.number)) {

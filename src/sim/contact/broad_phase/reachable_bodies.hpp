@@ -58,6 +58,8 @@ class ReachableBodies {
   Mesh* meshOf(const BodyStep& body);
   ClothMotion motionIn(const BodyStep& body, const ClothModel& model, const PreparedCloth& cloth,
                        const std::vector<Vec3>& start, const std::vector<Vec3>& end);
+  ClothMotion clusterMotionIn(const BodyStep& body, const ClothModel& model, const PreparedCloth& cloth,
+                              std::size_t cluster, const std::vector<Vec3>& start, const std::vector<Vec3>& end);
   bool isNear(const BodyStep& body, Mesh& mesh, const ClothModel& model, const PreparedCloth& cloth,
               const std::vector<Vec3>& start, const std::vector<Vec3>& end, double far);
   bool isKnownClearOf(const ClothStep& step, const PreparedCloth& cloth, const BodyStep& body, Mesh& mesh,
