@@ -11,8 +11,15 @@ struct Pose {
 
   bool operator==(const Pose&) const = default;
 
-  [[nodiscard]] Vec3 toWorld(const Vec3& local) const { return rotation * local + position; }
-  [[nodiscard]] Vec3 toLocal(const Vec3& world) const { return rotation.conjugate() * (world - position); }
+  [[nodiscard]] Vec3 toWorld(const Vec3& local) const { return isIdentity() ? local : rotation * local + position; }
+  [[nodiscard]] Vec3 toLocal(const Vec3& world) const {
+    return isIdentity() ? world : rotation.conjugate() * (world - position);
+  }
+
+ private:
+  [[nodiscard]] bool isIdentity() const {
+    return rotation.w() == 1.0 && rotation.vec().isZero(0.0) && position.isZero(0.0);
+  }
 };
 
 }  // namespace drape::sim::contact

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace drape::sim::contact {
 namespace {
@@ -11,6 +12,11 @@ namespace {
 constexpr double slackRatio = 0.15;        // features are cached for this displacement, over the contact offset [-]
 constexpr double minStepsInMemory = 3.0;   // a cached result must be valid for so many steps
 constexpr double positionRounding = 1e-9;  // [m]
+
+/// A distance in float that is not above `distance` [m].
+float floatBelow(double distance) {
+  return std::nextafter(static_cast<float>(distance), 0.0F);
+}
 
 }  // namespace
 
@@ -20,8 +26,11 @@ bool SharpFeatureSearch::findNearbyLeaves(const std::vector<int>& leaves, const 
   for (std::int32_t& each : leaves_) {
     each = leaves[each];
   }
+  if (leaves_.empty()) {
+    return false;
+  }
   normal_ = faceNormal(start_);
-  return !leaves_.empty();
+  return true;
 }
 
 /// The triangle's normal, oriented away from the mesh at the corner that is closest to it.
@@ -50,10 +59,16 @@ bool SharpFeatureSearch::useMemory(const NearbyFeatures& memory, double wanted, 
     return false;
   }
   featureGap_ = std::max(wanted, memory.complete + memory.validRadius - moved);
-  if (!memory.features.empty()) {
-    computeFaceWeights();
-  }
+  bool haveWeights = false;
   for (const NearbyFeatures::Feature& feature : memory.features) {
+    const double atLeast = feature.atLeast - moved;
+    if (atLeast >= wanted) {
+      featureGap_ = std::min(featureGap_, atLeast);
+      continue;
+    }
+    if (!std::exchange(haveWeights, true)) {
+      computeFaceWeights();
+    }
     if (feature.sides == 0) {
       addVertexContact(feature.triangle, feature.at);
     }
@@ -157,25 +172,34 @@ void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const Bo
                               [&](const MeshFeature& feature, bool isEdge) {
                                 const auto at = static_cast<std::uint8_t>(feature.at);
                                 if (isEdge) {
-                                  rememberEdge({feature.triangle, at}, far, memory);
-                                } else if (addVertexContact(feature.triangle, at) < far && memory.validRadius >= 0.0) {
-                                  memory.features.push_back({feature.triangle, at});
+                                  rememberEdge(feature.triangle, at, far, memory);
+                                  return;
+                                }
+                                const double gap = addVertexContact(feature.triangle, at);
+                                if (gap < far && memory.validRadius >= 0.0) {
+                                  memory.features.push_back({feature.triangle, at, 0, floatBelow(gap)});
                                 }
                               });
   }
 }
 
 /// Adds the contacts of an edge of the mesh, and caches it with the sides that are near.
-void SharpFeatureSearch::rememberEdge(const NearbyFeatures::Feature& edge, double far, NearbyFeatures& memory) {
-  NearbyFeatures::Feature near = edge;
-  const std::uint8_t sides = sidesNear(edge.triangle, edge.at, std::max(far, close_));
+void SharpFeatureSearch::rememberEdge(int bodyTriangle, std::uint8_t side, double far, NearbyFeatures& memory) {
+  const std::uint8_t sides = sidesNear(bodyTriangle, side, std::max(far, close_));
+  unsigned near = 0;
+  double least = far;
   for (std::size_t k = 0; k < 3; ++k) {
-    if ((sides >> k & 1U) != 0 && addEdgeContact(edge.triangle, edge.at, k) < far) {
-      near.sides = static_cast<std::uint8_t>(near.sides | 1U << k);
+    if ((sides >> k & 1U) == 0) {
+      continue;
+    }
+    const double gap = addEdgeContact(bodyTriangle, side, k);
+    if (gap < far) {
+      near |= 1U << k;
+      least = std::min(least, gap);
     }
   }
-  if (near.sides != 0 && memory.validRadius >= 0.0) {
-    memory.features.push_back(near);
+  if (near != 0 && memory.validRadius >= 0.0) {
+    memory.features.push_back({bodyTriangle, side, static_cast<std::uint8_t>(near), floatBelow(least)});
   }
 }
 

@@ -17,6 +17,7 @@ struct NearbyFeatures {
     int triangle = 0;
     std::uint8_t at = 0;     ///< index of the corner or side
     std::uint8_t sides = 0;  ///< of an edge: bit mask of the sides of the cloth's triangle near it; 0 for a vertex
+    float atLeast = 0.0F;    ///< lower bound of its distance to the triangle or these sides in the search [m]
   };
 
   Corners at;                 ///< corners of the triangle in the search [m]
@@ -66,7 +67,7 @@ class SharpFeatureSearch {
   double addVertexContact(int bodyTriangle, std::size_t corner);
   [[nodiscard]] std::uint8_t sidesNear(int bodyTriangle, std::size_t side, double far) const;
   double addEdgeContact(int bodyTriangle, std::size_t side, std::size_t ownSide);
-  void rememberEdge(const NearbyFeatures::Feature& edge, double far, NearbyFeatures& memory);
+  void rememberEdge(int bodyTriangle, std::uint8_t side, double far, NearbyFeatures& memory);
   double contact(int bodyTriangle, const Corners& at, const Vec3& weights, const Vec3& bodyWeights, bool counts);
 
   const ConstraintBuilder& builder_;
