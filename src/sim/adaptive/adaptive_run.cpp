@@ -87,7 +87,7 @@ StepEnergy AdaptiveRun<T>::run(const ClothModel& model, const LocalRates& rates,
   visibleEnd_.resize(request.end && plan.softens ? lanes : 0);
   firstCoarse_ = lastCoarse_ = startCoarse_ = endCoarse_ = 0.0;
   contactWorkToLast_ = 0.0;
-  const int threads = simd::usefulThreads(cloth_->layout, parameters.threads);
+  const int threads = simd::usefulThreads(cloth_->layout, cloth_->fabric.has_value(), parameters.threads);
   cloth_->prepare(threads, 1);
   cloth_->chooseOrigin(state);
   contacts_.prepare(inputs, *cloth_);

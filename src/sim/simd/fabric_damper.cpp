@@ -191,7 +191,7 @@ void FabricDamper::run(const ClothModel& model, const CommonParameters& paramete
   for (DampingRun<T>& run : runs) {
     run.stages *= refinement;
   }
-  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  const int threads = usefulThreads(cloth.layout, cloth.fabric.has_value(), parameters.threads);
   cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {
     const StepShare share = shareOf(cloth.layout, 1, member, threads);

@@ -26,7 +26,7 @@ void SlicedRun::explicitEuler(const ClothModel& model, const CommonParameters& p
   SlicedCloth<double>& cloth = double_.get(model);
   SliceStep<double> step = sliceStepOf<double>(parameters, {});
   step.driftsByOldVelocity = true;
-  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  const int threads = usefulThreads(cloth.layout, cloth.fabric.has_value(), parameters.threads);
   cloth.prepare(threads, 1);
   cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {
@@ -57,7 +57,7 @@ void SlicedRun::oneIteration(const ClothModel& model, SlicedCloth<T>& cloth, con
   SliceStep<T> step = sliceStepOf<T>(parameters, jacobi);
   const std::vector<T> ownWeights(weights.begin(), weights.end());
   step.weights = ownWeights.empty() ? nullptr : ownWeights.data();
-  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  const int threads = usefulThreads(cloth.layout, cloth.fabric.has_value(), parameters.threads);
   const int phases = threads == 1 ? 1 : jacobi.sweeps + 1;
   cloth.prepare(threads, jacobi.sweeps);
   cloth.chooseOrigin(state);
@@ -87,7 +87,7 @@ void SlicedRun::verlet(const ClothModel& model, SlicedCloth<T>& cloth, const Com
                        const StepInputs& inputs, int count, ClothState& state) {
   const SliceStep<T> step = sliceStepOf<T>(parameters, {});
   const T half = step.timeStep / T(2);
-  const int threads = usefulThreads(cloth.layout, parameters.threads);
+  const int threads = usefulThreads(cloth.layout, cloth.fabric.has_value(), parameters.threads);
   cloth.prepare(threads, 1);
   cloth.chooseOrigin(state);
   team_.run(threads, [&](int member) {

@@ -6,8 +6,9 @@
 namespace drape::sim::simd {
 namespace {
 
-/// Minimum number of slices for a thread: about 5 microseconds of work in the cheapest step.
+/// Minimum number of slices for a thread: about 5 microseconds of work in the cheapest step of springs.
 constexpr int minSlicesPerThread = 96;
+constexpr int minFabricSlicesPerThread = 48;
 
 }  // namespace
 
@@ -28,8 +29,8 @@ int usefulThreads(int parts, int minParts, int threads) {
   return std::clamp(parts / minParts, 1, std::min(threads, cores));
 }
 
-int usefulThreads(const SliceLayout& layout, int threads) {
-  return usefulThreads(layout.slices(), minSlicesPerThread, threads);
+int usefulThreads(const SliceLayout& layout, bool hasFabric, int threads) {
+  return usefulThreads(layout.slices(), hasFabric ? minFabricSlicesPerThread : minSlicesPerThread, threads);
 }
 
 }  // namespace drape::sim::simd

@@ -51,7 +51,8 @@ struct StepShare {
 /// a small cloth synchronisation costs more than it saves. At most `threads`, and at most the number of cores.
 [[nodiscard]] int usefulThreads(int parts, int minParts, int threads);
 
-/// The same for the slices of a cloth.
-[[nodiscard]] int usefulThreads(const SliceLayout& layout, int threads);
+/// The same for the slices of a cloth. A fabric has twice as many useful threads as springs, since its forces cost
+/// more.
+[[nodiscard]] int usefulThreads(const SliceLayout& layout, bool hasFabric, int threads);
 
 }  // namespace drape::sim::simd

@@ -62,7 +62,7 @@ StepReport ConjugateGradientsRun::steps(const ClothModel& model, const StepParam
   simd::ConjugateGradients<T>& system =
       memory.systems.get(model, [&](const ClothModel&) { return simd::ConjugateGradients<T>(cloth.layout); });
   simd::SliceStep<T> step = simd::sliceStepOf<T>(parameters, {});
-  const int threads = simd::usefulThreads(cloth.layout, parameters.threads);
+  const int threads = simd::usefulThreads(cloth.layout, cloth.fabric.has_value(), parameters.threads);
   cloth.prepare(threads, 0);
   cloth.chooseOrigin(state);
   StepReport report;
