@@ -187,7 +187,7 @@ void SharpFeatureSearch::searchFeatures(const std::vector<int>& leaves, const Bo
 void SharpFeatureSearch::rememberEdge(int bodyTriangle, std::uint8_t side, double far, NearbyFeatures& memory) {
   const std::uint8_t sides = sidesNear(bodyTriangle, side, std::max(far, close_));
   unsigned near = 0;
-  double least = far;
+  double minimum = far;
   for (std::size_t k = 0; k < 3; ++k) {
     if ((sides >> k & 1U) == 0) {
       continue;
@@ -195,11 +195,11 @@ void SharpFeatureSearch::rememberEdge(int bodyTriangle, std::uint8_t side, doubl
     const double gap = addEdgeContact(bodyTriangle, side, k);
     if (gap < far) {
       near |= 1U << k;
-      least = std::min(least, gap);
+      minimum = std::min(minimum, gap);
     }
   }
   if (near != 0 && memory.validRadius >= 0.0) {
-    memory.features.push_back({bodyTriangle, side, static_cast<std::uint8_t>(near), floatBelow(least)});
+    memory.features.push_back({bodyTriangle, side, static_cast<std::uint8_t>(near), floatBelow(minimum)});
   }
 }
 
