@@ -70,7 +70,7 @@ ContactStage::~ContactStage() = default;
 void ContactStage::begin(const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
   active_ = contact.self != SelfCollision::Off || meetsBodies(contact, inputs);
   changed_ = false;
-  bodySeconds_ = std::exchange(bodySecondsBefore_, 0.0);
+  bodySeconds_ = 0.0;
   selfSeconds_ = std::exchange(selfSecondsBefore_, 0.0);
   if (active_) {
     start_ = state.positions;
@@ -80,13 +80,10 @@ void ContactStage::begin(const ContactParameters& contact, const StepInputs& inp
 
 bool ContactStage::isNearBodies(const ClothModel& model, const CommonParameters& parameters,
                                 const ContactParameters& contact, const StepInputs& inputs, const ClothState& state) {
-  const auto begin = std::chrono::steady_clock::now();
   const double fall = parameters.gravity * parameters.timeStep * parameters.timeStep;
   extrapolate(state, parameters.timeStep);
-  const bool isNear = hasBoundedPositions(state.positions) &&
-                      bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
-  bodySecondsBefore_ += secondsSince(begin);
-  return isNear;
+  return hasBoundedPositions(state.positions) &&
+         bodyContact().isNearAnyBody(model, contact, *inputs.bodies, state.positions, ahead_, fall);
 }
 
 SelfApproach ContactStage::approachOfItself(const ClothModel& model, const CommonParameters& parameters,

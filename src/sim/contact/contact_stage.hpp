@@ -114,10 +114,9 @@ class ContactStage {
   std::vector<Vec3> ahead_;              // positions extrapolated by the velocity [m]
   std::vector<ContactPoint> points_;
   ContactReport report_;                     // of the last `resolve`
-  double bodySecondsBefore_ = 0.0;           // of searches before `begin` [s]
-  double selfSecondsBefore_ = 0.0;           // likewise
-  double bodySeconds_ = 0.0;                 // of these and of findSubstepContacts [s]
-  double selfSeconds_ = 0.0;                 // likewise
+  double selfSecondsBefore_ = 0.0;           // of approachOfItself, before `begin` [s]
+  double bodySeconds_ = 0.0;                 // of findSubstepContacts [s]
+  double selfSeconds_ = 0.0;                 // of both [s]
   std::unique_ptr<SelfContact> self_;        // created at first use
   std::unique_ptr<ExactSelfContact> exact_;  // likewise
   std::vector<SeparatingPlane> planes_;      // of bodies, for the guard

@@ -236,8 +236,7 @@ void MeshSearch::findSharpFeatureContacts(const ConstraintBuilder& builder, cons
   const double close = closeDistance(builder.offsets());
   const auto parts = inParts<int>(
       clusters, workers, threads, cloth.triangles.size(), [&](std::size_t first, std::size_t last, Part<int>& part) {
-        SharpFeatureSearch sharp(builder, mesh, cloth, nearest_, close, listedRatio * builder.offsets().contactOffset,
-                                 part.found);
+        SharpFeatureSearch sharp(builder, mesh, cloth, nearest_, close, builder.offsets().contactOffset, part.found);
         for (std::size_t c = first; c < last; ++c) {
           searchTriangles(mesh, cloth, clusters.triangles(c), nearby_[c], builder.offsets(), sharp);
         }
