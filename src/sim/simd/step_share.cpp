@@ -8,7 +8,7 @@ namespace {
 
 /// Minimum number of slices for a thread: about 5 microseconds of work in the cheapest step of springs.
 constexpr int minSlicesPerThread = 96;
-constexpr int minFabricSlicesPerThread = 48;
+constexpr int minFabricSlicesPerThread = 48;  // the forces of a fabric cost more
 
 }  // namespace
 

@@ -17,6 +17,7 @@ struct Pose {
   }
 
  private:
+  /// Many bodies stand at the origin. Their positions need no arithmetic.
   [[nodiscard]] bool isIdentity() const {
     return rotation.w() == 1.0 && rotation.vec().isZero(0.0) && position.isZero(0.0);
   }

@@ -55,9 +55,9 @@ class MeshClearance {
   std::vector<std::int32_t> leaves_;  // scratch of slackOf, as the next two
   std::vector<std::int32_t> leaf_;
   std::vector<Extent> extents_;
-  std::uint64_t models_ = 0;  // model of `known_`
-  double distance_ = 0.0;     // distance of `known_` [m]
-  std::size_t lastCluster_ = 0;
+  std::uint64_t models_ = 0;     // model of `known_`
+  double distance_ = 0.0;        // distance of `known_` [m]
+  std::size_t lastCluster_ = 0;  // see lastCluster()
 };
 
 /// Whether a vertex of a cluster that is not pinned could come within the distance `far` [m] of a mesh's surface. The
