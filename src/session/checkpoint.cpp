@@ -17,7 +17,7 @@ namespace drape::session {
 namespace {
 
 constexpr std::string_view fileMark = "DRAPECKP";
-constexpr std::uint32_t version = 7;
+constexpr std::uint32_t version = 8;
 constexpr std::uint32_t byteOrder = 0x01020304;
 
 constexpr std::string_view saveAgain = " Save it again, or start without it.";

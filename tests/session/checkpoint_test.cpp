@@ -71,6 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
              Remembers::Sleep},
         // Exact self-collision, and that with the hash.
         Case{"fold", {{"grid.resolution", "25"}}, 90, 40, Remembers::SelfContact},
+        Case{"fold", {{"grid.resolution", "25"}, {"cloth_thickness", "0.02"}}, 90, 40, Remembers::SelfContact},
         Case{"fold", {{"grid.resolution", "25"}, {"self_collision", "hash"}}, 90, 40, Remembers::SelfContact},
         Case{"falling_sheet", {{"grid.resolution", "21"}, {"self_collision", "hash"}}, 90, 40, Remembers::SelfContact},
         // Bodies that move, with a fabric.

@@ -124,10 +124,16 @@ void pointerFields(Archive& archive, std::shared_ptr<const T>& pointer, const Fi
 
 template <typename Archive, typename Memory>
 void selfContactFields(Archive& archive, Memory& memory) {
-  auto patches = memory.patches.patches;
-  pointerFields(archive, patches, [](auto& to, auto& fields) { patchFields(to, fields); });
-  if constexpr (Archive::reads) {
-    memory.patches.patches = std::move(patches);
+  const auto patchesBehind = [&](auto& pointer) {
+    auto patches = pointer;
+    pointerFields(archive, patches, [](auto& to, auto& fields) { patchFields(to, fields); });
+    if constexpr (Archive::reads) {
+      pointer = std::move(patches);
+    }
+  };
+  patchesBehind(memory.patches.patches);
+  for (auto& set : memory.patches.acrossBorders) {
+    patchesBehind(set);
   }
   archive(memory.patches.updatesSinceGrowth);
   archive(memory.patches.patchesGrown);

@@ -45,6 +45,24 @@ void MeshTree::build(std::vector<Vec3>& middles, std::size_t begin, std::size_t 
     build(middles, middle, end, maxTriangles);
   }
   nodes_[self].next = nodes_.size();
+  nodes_[self].endLeaf = leaves_.size();
+}
+
+std::vector<int> MeshTree::commonValues(std::span<const int> ofLeaf) const {
+  std::vector<int> values(nodes_.size());
+  // Children follow their parents, so in reverse order every child comes before its parent.
+  for (std::size_t n = nodes_.size(); n-- > 0;) {
+    const Node& node = nodes_[n];
+    if (node.end > node.begin) {
+      values[n] = ofLeaf[node.leaf];
+      continue;
+    }
+    values[n] = n + 1 < node.next ? values[n + 1] : -1;
+    for (std::size_t child = n + 1; child < node.next; child = nodes_[child].next) {
+      values[n] = values[child] == values[n] ? values[n] : -1;
+    }
+  }
+  return values;
 }
 
 /// Whether a ray intersects a box, which is extended by the rounding error.

@@ -34,6 +34,20 @@ class MeshTree {
     forEachLeaf([&](const Eigen::AlignedBox3d& node) { return node.intersects(box); }, visit);
   }
 
+  /// Calls visit(other) for a leaf and for every later one whose box intersects its box, in ascending order, except
+  /// those in subtrees with isLeftOut(node).
+  template <typename IsLeftOut, typename Visit>
+  void forEachLeafFrom(std::size_t leaf, const IsLeftOut& isLeftOut, Visit&& visit) const {
+    const Eigen::AlignedBox3d& box = leafBox(leaf);
+    const auto meets = [&](const Node& node, std::size_t index) {
+      return node.endLeaf > leaf && !isLeftOut(index) && node.box.intersects(box);
+    };
+    forEachLeafOf(meets, visit);
+  }
+
+  /// The common value of all leaves in the subtree of each node; -1 if they differ.
+  [[nodiscard]] std::vector<int> commonValues(std::span<const int> ofLeaf) const;
+
   /// Calls visit(leaf) for every leaf whose box is closer to a point than the square root of `squaredRadius` [m^2]. The
   /// calls may lower `squaredRadius`.
   template <typename Visit>
@@ -61,14 +75,21 @@ class MeshTree {
     std::size_t begin = 0;  // range of a leaf's triangles in order_
     std::size_t end = 0;
     std::size_t leaf = 0;
+    std::size_t endLeaf = 0;  // one past the last leaf of the subtree
   };
 
   /// Calls visit(leaf) for every leaf whose box and the boxes around it satisfy meets(box), in ascending order.
   template <typename Meets, typename Visit>
   void forEachLeaf(const Meets& meets, Visit& visit) const {
+    forEachLeafOf([&](const Node& node, std::size_t) { return meets(node.box); }, visit);
+  }
+
+  /// The same with meets(node, index of the node).
+  template <typename Meets, typename Visit>
+  void forEachLeafOf(const Meets& meets, Visit& visit) const {
     for (std::size_t at = 0; at < nodes_.size();) {
       const Node& node = nodes_[at];
-      if (!meets(node.box)) {
+      if (!meets(node, at)) {
         at = node.next;
         continue;
       }

@@ -39,10 +39,8 @@ void findCrossings(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, st
   boxes.setPatches(nullptr);
   std::vector<OverlappingBoxes> overlaps;
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
-    tree.forEachLeafIn(tree.leafBox(leaf), [&](std::size_t other) {
-      if (other < leaf) {
-        return;
-      }
+    const auto isLeftOut = [](std::size_t) { return false; };
+    tree.forEachLeafFrom(leaf, isLeftOut, [&](std::size_t other) {
       findOverlaps(boxes.triangles(), leaf, boxes.triangles(), other, overlaps);
       for (const auto& [a, b] : overlaps) {
         addCrossings(mesh, positions, a, b, crossings);

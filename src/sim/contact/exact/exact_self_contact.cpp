@@ -18,7 +18,6 @@ constexpr double substepMargin = 0.05;  // the same for substep contacts, in add
 constexpr double missedDepth = 0.25;    // the substeps are repeated with a contact that was violated by more
 constexpr double activeGap = 0.1;       // velocities are corrected up to this excess over the required distance
 constexpr double recoveryMargin = 0.1;  // distance at which crossing features count as separate
-constexpr double reachRatio = approachSlack * (1.0 + contactMargin);  // distance up to which pairs are searched
 
 constexpr double separationSpeed = 0.05;  // at which layers that are too close move apart [m/s]
 constexpr int impulseIterations = 10;
@@ -42,6 +41,11 @@ bool isCrumpled(const ClothModel& model, std::size_t crossings, std::span<const 
   return sum > meanStrain * static_cast<double>(model.springs.size());
 }
 
+/// The distance up to which pairs are searched [m].
+double reachOf(const ExactStep& step) {
+  return approachSlack * (1.0 + contactMargin) * step.contact.thickness;
+}
+
 /// The coordinate of a contact along its normal [m].
 double alongNormal(const SubstepContact& contact, const std::vector<Vec3>& positions) {
   Vec3 offset = Vec3::Zero();
@@ -62,8 +66,8 @@ void ExactSelfContact::findContacts(const ExactStep& step, double margin, double
   const double thickness = step.contact.thickness;
   const int threads = step.parameters.threads;
   findEntangledAt(step);
-  search_.update({step.model, reachRatio * thickness, reachRatio * thickness, patchesAtStart(step), threads},
-                 step.start, predicted, workers_);
+  search_.update({step.model, reachOf(step), reachOf(step), patchesAtStart(step), threads}, step.start, predicted,
+                 workers_);
   findPairContacts(step.model, search_,
                    {.thickness = thickness,
                     .margin = std::min(margin, contactMargin * thickness),
@@ -78,8 +82,10 @@ void ExactSelfContact::findContacts(const ExactStep& step, double margin, double
 SharedFeaturePatches ExactSelfContact::patchesAtStart(const ExactStep& step) {
   const FeatureMesh& mesh = search_.meshOf(step.model);
   const bool known = step.memory != nullptr && step.memory->vertices == step.model.vertexCount() &&
-                     step.memory->triangles == static_cast<int>(step.model.triangles.size());
-  return patches_.ofFeatures(mesh, known ? step.memory->patches : patches_.update(step.model, step.start, {}));
+                     step.memory->triangles == static_cast<int>(step.model.triangles.size()) &&
+                     step.memory->patches.acrossBorders[0] != nullptr;  // null after a step with the hash
+  return patches_.ofFeatures(mesh,
+                             known ? step.memory->patches : patches_.update(step.model, reachOf(step), step.start, {}));
 }
 
 /// Finds the vertices of triangles that intersect at the start of the step.
@@ -239,7 +245,7 @@ void ExactSelfContact::recover(const ExactStep& step, ClothState& state) {
 /// @param history the patches at the start; those at the end are stored here
 PairGuard::Result ExactSelfContact::keepApart(const ExactStep& step, PairGuard::Inputs inputs,
                                               std::vector<Vec3>& positions, PatchHistory& history) {
-  history = patches_.update(step.model, positions, history);
+  history = patches_.update(step.model, reachOf(step), positions, history);
   inputs.patches = patches_.ofFeatures(search_.meshOf(step.model), history);
   bool wereRemoved = false;
   for (int round = 0;; ++round) {
@@ -248,7 +254,7 @@ PairGuard::Result ExactSelfContact::keepApart(const ExactStep& step, PairGuard::
     const bool areValid =
         inputs.patches == nullptr || positions == wanted_ || !patches_.removeInvalid(positions, inputs.patches);
     if (areValid) {
-      history = wereRemoved ? patches_.update(step.model, positions, history) : history;
+      history = wereRemoved ? patches_.update(step.model, reachOf(step), positions, history) : history;
       return result;
     }
     wereRemoved = true;
@@ -282,7 +288,7 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
                                               .entangled = entangled_,
                                               .patches = nullptr,
                                               .thickness = step.contact.thickness,
-                                              .reach = reachRatio * step.contact.thickness,
+                                              .reach = reachOf(step),
                                               .obstaclesMove = bodiesMove || pinSpeed_ > 0.0,
                                               .threads = step.parameters.threads},
                                              state.positions, memory->patches);

@@ -25,8 +25,10 @@ void endBoxes(FeatureBoxes& boxes) {
     boxes.low[axis].assign(boxes.features.size(), farAway);
     boxes.high[axis].assign(boxes.features.size(), -farAway);
   }
-  boxes.patches.assign(boxes.features.size(), -1);
-  boxes.patchOfLeaf.assign(boxes.count.size(), -1);
+  for (FeatureBoxes::Patches& patches : boxes.patches) {
+    patches.ofFeature.assign(boxes.features.size(), -1);
+    patches.ofLeaf.assign(boxes.count.size(), -1);
+  }
 }
 
 void setBox(FeatureBoxes& boxes, std::size_t i, const Vec3& low, const Vec3& high) {
@@ -38,34 +40,47 @@ void setBox(FeatureBoxes& boxes, std::size_t i, const Vec3& low, const Vec3& hig
   }
 }
 
-void setPatchesOf(FeatureBoxes& boxes, const std::vector<int>* patches) {
+/// @param labels the patch of each feature
+void setPatchesOf(const FeatureBoxes& boxes, const std::vector<int>& labels, FeatureBoxes::Patches& patches) {
   for (std::size_t leaf = 0; leaf < boxes.count.size(); ++leaf) {
     const int begin = boxes.begin[leaf];
     const int end = begin + boxes.count[leaf];
     bool isPure = begin < end;
     for (int i = begin; i < end; ++i) {
-      boxes.patches[i] = patches != nullptr ? (*patches)[boxes.features[i]] : -1;
-      isPure = isPure && boxes.patches[i] == boxes.patches[begin];
+      patches.ofFeature[i] = labels[boxes.features[i]];
+      isPure = isPure && patches.ofFeature[i] == patches.ofFeature[begin];
     }
-    boxes.patchOfLeaf[leaf] = isPure ? boxes.patches[begin] : -1;
+    patches.ofLeaf[leaf] = isPure ? patches.ofFeature[begin] : -1;
   }
 }
 
 }  // namespace
 
 void LeafBoxes::setPatches(const FeaturePatches* patches) {
-  setPatchesOf(vertices_, patches != nullptr ? &patches->ofVertex : nullptr);
-  setPatchesOf(edges_, patches != nullptr ? &patches->ofEdge : nullptr);
-  setPatchesOf(triangles_, patches != nullptr ? &patches->ofTriangle : nullptr);
+  sets_ = 0;
+  while (patches != nullptr && sets_ < patchSets && (*patches)[sets_].patches->count() > 0) {
+    const PatchLabels& labels = (*patches)[sets_];
+    setPatchesOf(vertices_, labels.ofVertex, vertices_.patches[sets_]);
+    setPatchesOf(edges_, labels.ofEdge, edges_.patches[sets_]);
+    setPatchesOf(triangles_, labels.ofTriangle, triangles_.patches[sets_]);
+    findPatchesOfLeaves(sets_);
+    ++sets_;
+  }
+  for (FeatureBoxes* boxes : {&vertices_, &edges_, &triangles_}) {
+    boxes->sets = sets_;
+  }
 }
 
-bool LeafBoxes::areInOnePatch(std::size_t first, std::size_t second) const {
-  const int patch = triangles_.patchOfLeaf[first];
-  const auto isOfPatch = [&](const FeatureBoxes& boxes, std::size_t leaf) {
-    return boxes.count[leaf] == 0 || boxes.patchOfLeaf[leaf] == patch;
-  };
-  return patch >= 0 && isOfPatch(triangles_, second) && isOfPatch(vertices_, first) && isOfPatch(vertices_, second) &&
-         isOfPatch(edges_, first) && isOfPatch(edges_, second);
+/// Finds the common patch of the vertices, edges and triangles of each leaf. Each leaf has triangles.
+void LeafBoxes::findPatchesOfLeaves(std::size_t set) {
+  std::vector<int>& patches = patchesOfLeaves_[set];
+  patches = triangles_.patches[set].ofLeaf;
+  for (const FeatureBoxes* boxes : {&vertices_, &edges_}) {
+    for (std::size_t leaf = 0; leaf < patches.size(); ++leaf) {
+      const bool isSame = boxes->count[leaf] == 0 || boxes->patches[set].ofLeaf[leaf] == patches[leaf];
+      patches[leaf] = isSame ? patches[leaf] : -1;
+    }
+  }
 }
 
 LeafBoxes::LeafBoxes(const FeatureMesh& mesh, const MeshTree& tree) {

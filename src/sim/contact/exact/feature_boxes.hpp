@@ -14,9 +14,15 @@ namespace drape::sim::contact {
 /// The bounding boxes and patches of the features of one kind, leaf after leaf of a tree, one array per coordinate.
 /// Each leaf is padded to whole vectors by empty boxes.
 struct FeatureBoxes {
+  /// The patches of a set.
+  struct Patches {
+    std::vector<std::int32_t> ofFeature;  ///< see FeaturePatches
+    std::vector<std::int32_t> ofLeaf;     ///< the common patch of all features of a leaf; -1: there is none
+  };
+
   std::vector<std::int32_t> features;      ///< index of the vertex, edge or triangle; -1: padding
-  std::vector<std::int32_t> patches;       ///< patch of each feature, see FeaturePatches
-  std::vector<std::int32_t> patchOfLeaf;   ///< the common patch of all features of a leaf; -1: there is none
+  std::array<Patches, patchSets> patches;  ///< for each set of patches
+  std::size_t sets = 0;                    ///< number of sets that have patches; the first ones
   std::vector<int> begin;                  ///< first feature of each leaf, and one past the last
   std::vector<int> count;                  ///< number of features of each leaf, without padding
   std::array<std::vector<float>, 3> low;   ///< relative to an origin, rounded down [m]
@@ -36,15 +42,22 @@ class LeafBoxes {
   /// Stores the patches of the features. @param patches null: the features belong to no patch
   void setPatches(const FeaturePatches* patches);
 
-  /// Whether all features of two leaves belong to one patch.
-  [[nodiscard]] bool areInOnePatch(std::size_t first, std::size_t second) const;
+  /// The number of sets that have patches.
+  [[nodiscard]] std::size_t sets() const { return sets_; }
+
+  /// The common patch of all features of each leaf, for a set that has patches; -1: there is none.
+  [[nodiscard]] const std::vector<int>& patchesOfLeaves(std::size_t set) const { return patchesOfLeaves_[set]; }
 
   [[nodiscard]] const FeatureBoxes& vertices() const { return vertices_; }
   [[nodiscard]] const FeatureBoxes& edges() const { return edges_; }
   [[nodiscard]] const FeatureBoxes& triangles() const { return triangles_; }
 
  private:
+  void findPatchesOfLeaves(std::size_t set);
+
   FeatureBoxes vertices_, edges_, triangles_;
+  std::array<std::vector<int>, patchSets> patchesOfLeaves_;
+  std::size_t sets_ = 0;
 };
 
 /// Two features whose boxes overlap.

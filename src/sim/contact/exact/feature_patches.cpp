@@ -1,5 +1,7 @@
 #include "sim/contact/exact/feature_patches.hpp"
 
+#include "sim/forces/diagnostics.hpp"
+
 #include <algorithm>
 
 namespace drape::sim::contact {
@@ -11,6 +13,10 @@ constexpr int maxUpdatesPerGrowth = 256;  // see PatchUpdater
 /// have a rounding error of 6e-8 of the size, and the test adds a few of those.
 constexpr float borderMarginRatio = 2e-6F;
 
+/// Patches across borders are grown if the mean edge is shorter than this number of reaches. On meshes with longer
+/// edges few neighbours are near, and the patches would cost more than they save.
+constexpr double reachesOfShortEdges = 2.5;
+
 constexpr int none = -1;
 constexpr int unknown = -2;
 
@@ -19,23 +25,22 @@ int joined(int patch, int patchOfTriangle) {
   return patch == unknown || patch == patchOfTriangle ? patchOfTriangle : none;
 }
 
-FeaturePatches labelled(const FeatureMesh& mesh, std::size_t vertices,
-                        std::shared_ptr<const CollisionFreePatches> patches) {
-  FeaturePatches features{.patches = std::move(patches), .ofVertex = {}, .ofEdge = {}, .ofTriangle = {}};
-  features.ofTriangle = features.patches->patchOfTriangle;
-  features.ofVertex.assign(vertices, unknown);
-  features.ofEdge.assign(mesh.edges.edges.size(), unknown);
+PatchLabels labelled(const FeatureMesh& mesh, std::shared_ptr<const CollisionFreePatches> patches) {
+  PatchLabels labels{.patches = std::move(patches), .ofVertex = {}, .ofEdge = {}, .ofTriangle = {}};
+  labels.ofTriangle = labels.patches->patchOfTriangle;
+  labels.ofVertex.assign(labels.patches->patchOfVertex.size(), unknown);
+  labels.ofEdge.assign(mesh.edges.edges.size(), unknown);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (const int v : mesh.triangles[t]) {
-      features.ofVertex[v] = joined(features.ofVertex[v], features.ofTriangle[t]);
+      labels.ofVertex[v] = joined(labels.ofVertex[v], labels.ofTriangle[t]);
     }
     for (const int e : mesh.edgesOfTriangle[t]) {
       if (e >= 0) {
-        features.ofEdge[e] = joined(features.ofEdge[e], features.ofTriangle[t]);
+        labels.ofEdge[e] = joined(labels.ofEdge[e], labels.ofTriangle[t]);
       }
     }
   }
-  return features;
+  return labels;
 }
 
 }  // namespace
@@ -52,40 +57,83 @@ void PatchFinder::setPositions(std::span<const Vec3> positions) {
     size = std::max(size, offset.cwiseAbs().maxCoeff());
   }
   updater_.setBorderMargin(borderMarginRatio * size);
+  grower_.setBorderMargin(borderMarginRatio * size);
   check_.setBorderMargin(borderMarginRatio * size);
 }
 
-PatchHistory PatchFinder::update(const ClothModel& model, std::span<const Vec3> positions, const PatchHistory& last) {
+PatchHistory PatchFinder::update(const ClothModel& model, double reach, std::span<const Vec3> positions,
+                                 const PatchHistory& last) {
   setPositions(positions);
   const bool known = last.patches != nullptr && last.patches->patchOfVertex.size() == positions.size() &&
                      last.patches->patchOfTriangle.size() == model.triangles.size();
-  return updater_.update(mesh_.get(model, patchMeshOf), positions_, known ? last : PatchHistory{}, maxUpdatesPerGrowth);
+  const PatchMesh& mesh = mesh_.get(model, patchMeshOf);
+  PatchHistory next = updater_.update(mesh, positions_, known ? last : PatchHistory{}, maxUpdatesPerGrowth);
+  const bool isFine = meanEdge_.get(model, meanEdge) < reachesOfShortEdges * reach;
+  updateAcrossBorders(mesh, isFine ? static_cast<int>(furtherPatchSets) : 0, last, next);
+  return next;
+}
+
+/// Sets the patches across borders. Those of `last` are kept if the sets before them are the same and they are valid.
+/// @param wanted the number of sets that have patches
+void PatchFinder::updateAcrossBorders(const PatchMesh& mesh, int wanted, const PatchHistory& last, PatchHistory& next) {
+  std::array<std::shared_ptr<const CollisionFreePatches>, patchSets> sets{next.patches};
+  bool areSame = last.patches == next.patches;
+  for (std::size_t k = 0; k < furtherPatchSets; ++k) {
+    const auto& old = last.acrossBorders[k];
+    areSame = areSame && old != nullptr && check_.failures(*old, positions_, valid_) == 0;
+    if (areSame) {
+      next.acrossBorders[k] = old;
+    } else {
+      auto patches = std::make_shared<CollisionFreePatches>();
+      patches->patchOfVertex.assign(static_cast<std::size_t>(mesh.vertices), none);
+      patches->patchOfTriangle.assign(mesh.triangles.size(), none);
+      if (static_cast<int>(k) < wanted) {
+        grower_.growAcrossBorders(mesh, positions_, std::span(sets).first(k + 1), *patches);
+      }
+      next.acrossBorders[k] = patches;
+    }
+    sets[k + 1] = next.acrossBorders[k];
+  }
 }
 
 SharedFeaturePatches PatchFinder::ofFeatures(const FeatureMesh& mesh, const PatchHistory& history) {
-  if (last_ == nullptr || last_->patches != history.patches) {
-    last_ = std::make_shared<FeaturePatches>(labelled(mesh, history.patches->patchOfVertex.size(), history.patches));
+  std::array<std::shared_ptr<const CollisionFreePatches>, patchSets> sets{history.patches};
+  std::ranges::copy(history.acrossBorders, sets.begin() + 1);
+  const auto isOf = [](const PatchLabels& labels, const auto& patches) { return labels.patches == patches; };
+  if (last_ == nullptr || !std::ranges::equal(*last_, sets, isOf)) {
+    auto labels = std::make_shared<FeaturePatches>();
+    std::ranges::transform(sets, labels->begin(), [&](const auto& patches) { return labelled(mesh, patches); });
+    last_ = labels;
   }
   return last_;
 }
 
 bool PatchFinder::removeInvalid(std::span<const Vec3> positions, SharedFeaturePatches& patches) {
   setPositions(positions);
-  if (check_.failures(*patches->patches, positions_, valid_) == 0) {
-    return false;
-  }
   FeaturePatches remaining = *patches;
   bool removed = false;
-  for (auto* part : {&remaining.ofVertex, &remaining.ofEdge, &remaining.ofTriangle}) {
+  for (PatchLabels& labels : remaining) {
+    removed = removeInvalidOf(labels) || removed;
+  }
+  if (removed) {
+    patches = std::make_shared<FeaturePatches>(std::move(remaining));
+  }
+  return removed;
+}
+
+/// @returns whether features were removed
+bool PatchFinder::removeInvalidOf(PatchLabels& labels) {
+  if (check_.failures(*labels.patches, positions_, valid_) == 0) {
+    return false;
+  }
+  bool removed = false;
+  for (auto* part : {&labels.ofVertex, &labels.ofEdge, &labels.ofTriangle}) {
     for (int& patch : *part) {
       if (patch >= 0 && valid_[patch] == 0) {
         patch = none;
         removed = true;
       }
     }
-  }
-  if (removed) {
-    patches = std::make_shared<FeaturePatches>(std::move(remaining));
   }
   return removed;
 }

@@ -4,19 +4,26 @@
 #include "sim/contact/self/patch_updater.hpp"
 #include "sim/model/model_cache.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace drape::sim::contact {
 
-/// The collision-free patches to which the features of a cloth belong. While a patch is collision-free, no two of its
-/// triangles intersect, so that pairs of its features need no check.
-struct FeaturePatches {
+/// The patches to which the features of a cloth belong.
+struct PatchLabels {
   std::shared_ptr<const CollisionFreePatches> patches;
   /// The common patch of all triangles around a vertex or an edge, and the patch of a triangle; -1: there is none.
   std::vector<int> ofVertex, ofEdge, ofTriangle;
 };
+
+/// The number of sets of patches: a partition of the cloth, and patches across borders.
+inline constexpr std::size_t patchSets = 1 + furtherPatchSets;
+
+/// The sets of collision-free patches to which the features of a cloth belong. While a patch is collision-free, no two
+/// of its triangles intersect, so that pairs of its features need no check.
+using FeaturePatches = std::array<PatchLabels, patchSets>;
 
 using SharedFeaturePatches = std::shared_ptr<const FeaturePatches>;
 
@@ -24,7 +31,9 @@ using SharedFeaturePatches = std::shared_ptr<const FeaturePatches>;
 class PatchFinder {
  public:
   /// The patches of the cloth at `positions` [m]. Those of `last` are kept if they are valid.
-  [[nodiscard]] PatchHistory update(const ClothModel& model, std::span<const Vec3> positions, const PatchHistory& last);
+  /// @param reach distance up to which pairs are searched [m]
+  [[nodiscard]] PatchHistory update(const ClothModel& model, double reach, std::span<const Vec3> positions,
+                                    const PatchHistory& last);
 
   /// The patches of the features. Equal patches have the same address in successive calls.
   [[nodiscard]] SharedFeaturePatches ofFeatures(const FeatureMesh& mesh, const PatchHistory& history);
@@ -35,9 +44,13 @@ class PatchFinder {
 
  private:
   void setPositions(std::span<const Vec3> positions);
+  void updateAcrossBorders(const PatchMesh& mesh, int wanted, const PatchHistory& last, PatchHistory& next);
+  [[nodiscard]] bool removeInvalidOf(PatchLabels& labels);
 
   ModelCache<PatchMesh> mesh_;
+  ModelCache<double> meanEdge_;  // [m]
   PatchUpdater updater_;
+  PatchGrower grower_;  // of patches across borders
   PatchCheck check_;
   PositionLanes positions_;  // relative to the first vertex [m]
   std::vector<char> valid_;

@@ -95,12 +95,13 @@ void PairSearch::adaptMargin() {
   margin_ = std::clamp(factor * margin_, minMargin, largestMargin());
 }
 
-/// The largest margin, in reaches. Larger boxes add few pairs to a short list, and many to a long one.
+/// The largest margin, in reaches. Larger boxes add few pairs to a short list, and many to a long one. A short list
+/// tells nothing about margins that are much larger than its own.
 double PairSearch::largestMargin() const {
   const auto pairs = static_cast<double>(pairs_.size());
   const auto vertices = static_cast<double>(positions_.size());
   if (2.0 * pairs < vertices) {
-    return maxMarginOfShortLists;
+    return std::clamp(marginGrowth * meanMargin_, maxMargin, maxMarginOfShortLists);
   }
   const double wanted = pairsOfLongLists * vertices;
   return pairs > wanted ? std::max(minMargin, maxMargin * wanted / pairs) : maxMargin;
@@ -141,10 +142,14 @@ void PairSearch::placeBoxes(std::span<const Vec3> start, std::span<const Vec3> e
   const double limit = largestMargin();
   const double minimum = std::min(margin_, limit);
   const bool isFast = largest > fastMove * reach_;
+  double sum = 0.0;
   for (Vec3& size : halfSizes_) {
     const double wanted = std::clamp(2.0 * marginOfMove * size.norm(), minimum * reach_, limit * reach_);
-    size.array() += isFast ? std::max(minMargin * reach_, 2.0 * marginOfFastMove * size.norm()) : wanted;
+    const double margin = isFast ? std::max(minMargin * reach_, 2.0 * marginOfFastMove * size.norm()) : wanted;
+    size.array() += margin;
+    sum += margin;
   }
+  meanMargin_ = count > 0 ? sum / (static_cast<double>(count) * reach_) : 0.0;
   std::transform(halfSizes_.begin(), halfSizes_.end(), radii_.ofVertex.begin(),
                  [](const Vec3& size) { return size.norm(); });
   radii_.spread(*mesh_);
@@ -155,6 +160,9 @@ void PairSearch::search(std::span<const Vec3> start, std::span<const Vec3> end, 
   measureMoves(start, end);
   fitBoxes();
   tree_->boxes.setPatches(patches_.get());
+  for (std::size_t k = 0; k < tree_->boxes.sets(); ++k) {
+    patchesOfNodes_[k] = tree_->tree.commonValues(tree_->boxes.patchesOfLeaves(k));
+  }
   const auto parts =
       collectInOrder<std::vector<Listed>>(workers, threads, static_cast<int>(tree_->tree.leafCount()),
                                           [&](int begin, int last, std::vector<Listed>& found) {
@@ -189,10 +197,15 @@ void PairSearch::collectCandidates(std::size_t leaf, Candidates& candidates) con
     batch->pairs.clear();
     batch->lanes.clear();
   }
-  tree_->tree.forEachLeafIn(tree_->tree.leafBox(leaf), [&](std::size_t other) {
-    if (other < leaf || tree_->boxes.areInOnePatch(leaf, other)) {
-      return;
+  const auto isInOwnPatch = [&](std::size_t node) {
+    bool isIn = false;
+    for (std::size_t k = 0; k < tree_->boxes.sets(); ++k) {
+      const int own = tree_->boxes.patchesOfLeaves(k)[leaf];
+      isIn = isIn || (own >= 0 && own == patchesOfNodes_[k][node]);
     }
+    return isIn;
+  };
+  tree_->tree.forEachLeafFrom(leaf, isInOwnPatch, [&](std::size_t other) {
     compareVertices(leaf, other, candidates);
     if (other != leaf) {
       compareVertices(other, leaf, candidates);

@@ -8,6 +8,7 @@
 #include "sim/model/model_cache.hpp"
 #include "sim/model/workers.hpp"
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -103,6 +104,7 @@ class PairSearch {
   SharedFeaturePatches patches_;
   double reach_ = 0.0;            // [m]
   double margin_ = 0.1;           // minimum margin of the boxes, in reaches
+  double meanMargin_ = 0.0;       // of the boxes, in reaches
   int updates_ = 0;               // since the search
   std::vector<Vec3> positions_;   // of the boxes' centres [m]
   std::vector<Vec3> halfSizes_;   // of the boxes [m]
@@ -110,6 +112,7 @@ class PairSearch {
   Vec3 shift_ = Vec3::Zero();     // mean displacement since the search, at the end of the last update [m]
   FeatureBounds moves_;           // maximum distances from the boxes' centres, in the motion of the last update [m]
   std::vector<Vec3> low_, high_;  // corners of each vertex's box, extended by half the reach [m]
+  std::array<std::vector<int>, patchSets> patchesOfNodes_;  // common patches of the subtrees; -1: there is none
   std::vector<Listed> pairs_;
   std::vector<Vec3> checked_;  // positions of the last call of crossingsAt [m]
   std::vector<EdgeCrossing> crossings_;

@@ -2,6 +2,7 @@
 
 #include "sim/contact/self/topology.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -308,15 +309,20 @@ void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector
   }
 }
 
+/// Grows a patch from a triangle, unless it belongs to one already.
+void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed,
+                           CollisionFreePatches& patches) {
+  if (owner_[seed] == freeTriangle) {
+    const Direction axis = axisAround(mesh, seed);
+    takeFrom(mesh, seed, axis, mesh.triangles.size());
+    cutBack(mesh, positions, axis);
+    add(mesh, axis, patches);
+  }
+}
+
 void PatchGrower::growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (owner_[t] == freeTriangle) {
-      const int seed = static_cast<int>(t);
-      const Direction axis = axisAround(mesh, seed);
-      takeFrom(mesh, seed, axis, mesh.triangles.size());
-      cutBack(mesh, positions, axis);
-      add(mesh, axis, patches);
-    }
+    growFrom(mesh, positions, static_cast<int>(t), patches);
   }
   sortVertices(patches);
 }
@@ -324,6 +330,36 @@ void PatchGrower::growRest(const PatchMesh& mesh, const PositionLanes& positions
 void PatchGrower::grow(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
   begin(mesh, positions, patches);
   growRest(mesh, positions, patches);
+}
+
+/// Marks the vertices whose triangles all belong to one patch.
+void markInside(const PatchMesh& mesh, const CollisionFreePatches& patches, std::vector<char>& inside) {
+  constexpr int unknown = -2;
+  std::vector<int> patchOf(static_cast<std::size_t>(mesh.vertices), unknown);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const int patch = patches.patchOfTriangle[t];
+    for (const int v : mesh.triangles[t]) {
+      patchOf[v] = patchOf[v] == unknown || patchOf[v] == patch ? patch : -1;
+    }
+  }
+  for (std::size_t v = 0; v < patchOf.size(); ++v) {
+    inside[v] = inside[v] != 0 || patchOf[v] >= 0 ? 1 : 0;
+  }
+}
+
+void PatchGrower::growAcrossBorders(const PatchMesh& mesh, const PositionLanes& positions,
+                                    std::span<const std::shared_ptr<const CollisionFreePatches>> others,
+                                    CollisionFreePatches& patches) {
+  std::vector<char> inside(static_cast<std::size_t>(mesh.vertices), 0);
+  for (const auto& each : others) {
+    markInside(mesh, *each, inside);
+  }
+  begin(mesh, positions, patches);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (std::ranges::any_of(mesh.triangles[t], [&](int v) { return inside[v] == 0; })) {
+      growFrom(mesh, positions, static_cast<int>(t), patches);
+    }
+  }
 }
 
 void PatchGrower::repair(const PatchMesh& mesh, const PositionLanes& positions, const CollisionFreePatches& old,

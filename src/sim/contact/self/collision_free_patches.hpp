@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace drape::sim::contact {
@@ -24,12 +26,12 @@ struct CollisionFreePatch {
   int lastVertex = 0;
 };
 
-/// A partition of a cloth into collision-free patches. Every triangle with an area belongs to one patch, every vertex
-/// to the first patch of its triangles. A vertex without such triangles is a patch of one vertex.
+/// Collision-free patches of a cloth that share no triangle. In a partition every triangle with an area belongs to one
+/// patch, every vertex to the first patch of its triangles. A vertex without such triangles is a patch of one vertex.
 struct CollisionFreePatches {
   std::vector<CollisionFreePatch> patches;
   std::vector<int> patchOfVertex;
-  std::vector<int> patchOfTriangle;  ///< -1 if it has no area
+  std::vector<int> patchOfTriangle;  ///< -1: it belongs to none
   CornerLanes corners;               ///< of the triangles, patch by patch, padded by copies of the last one
   std::vector<int> border;           ///< vertex indices
   std::vector<int> vertices;         ///< vertex indices, patch by patch, ascending in each
@@ -81,6 +83,13 @@ class PatchGrower {
   /// Partitions the whole cloth. @param positions per vertex [m]  @param patches the result
   void grow(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
 
+  /// Grows patches across borders, each from a triangle with a corner that is at a border of all other sets of patches.
+  /// So features near a border of these belong to a common patch, except near a border of all sets.
+  /// @param patches the result, without vertices
+  void growAcrossBorders(const PatchMesh& mesh, const PositionLanes& positions,
+                         std::span<const std::shared_ptr<const CollisionFreePatches>> others,
+                         CollisionFreePatches& patches);
+
   /// Replaces patches that are no longer valid by new ones, and keeps the others.
   /// @param valid per old patch: 1 or 0, see PatchCheck  @param patches the result
   void repair(const PatchMesh& mesh, const PositionLanes& positions, const CollisionFreePatches& old,
@@ -89,6 +98,7 @@ class PatchGrower {
  private:
   void begin(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
   void keepPatches(const CollisionFreePatches& old, const std::vector<char>& valid, CollisionFreePatches& patches);
+  void growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, CollisionFreePatches& patches);
   void growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
   [[nodiscard]] std::array<float, 3> axisAround(const PatchMesh& mesh, int seed);
   void takeFrom(const PatchMesh& mesh, int seed, const std::array<float, 3>& axis, std::size_t maximum);

@@ -18,7 +18,7 @@ PatchHistory PatchUpdater::update(const PatchMesh& mesh, const PositionLanes& po
   const bool known = last.patches != nullptr;
   const bool aged = known && last.updatesSinceGrowth >= maxUpdatesPerGrowth && last.patches->count() > 1;
   if (known && !aged) {
-    PatchHistory next{last.patches, last.updatesSinceGrowth + 1, last.patchesGrown};
+    PatchHistory next{last.patches, last.updatesSinceGrowth + 1, last.patchesGrown, {}};
     if (check_.failures(*last.patches, positions, valid_) == 0) {
       return next;
     }
@@ -32,7 +32,7 @@ PatchHistory PatchUpdater::update(const PatchMesh& mesh, const PositionLanes& po
   auto patches = std::make_shared<CollisionFreePatches>();
   grower_.grow(mesh, positions, *patches);
   const int count = patches->count();
-  return {std::move(patches), 0, count};
+  return {std::move(patches), 0, count, {}};
 }
 
 }  // namespace drape::sim::contact

@@ -316,6 +316,34 @@ TEST(MeshTree, hasEveryTriangleInOneLeafAndFindsTheLeavesInABox) {
   }
 }
 
+TEST(MeshTree, findsLaterLeavesOutsideTheSubtreesThatAreLeftOut) {
+  const MeshShape shape = hills(12);
+  const MeshTree tree(shape.positions, shape.triangles, 4);
+  std::vector<int> sides;  // of each leaf: 0 or 1; -1: neither
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    const double x = tree.leafBox(leaf).center().x();
+    sides.push_back(std::abs(x) < 0.1 ? -1 : x < 0.0 ? 0 : 1);
+  }
+  const std::vector<int> ofNodes = tree.commonValues(sides);
+  EXPECT_EQ(ofNodes[0], -1);
+  std::size_t found = 0;
+  for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
+    std::vector<std::size_t> expected;
+    for (std::size_t other = leaf; other < tree.leafCount(); ++other) {
+      const bool isLeftOut = sides[leaf] >= 0 && sides[other] == sides[leaf];
+      if (!isLeftOut && tree.leafBox(other).intersects(tree.leafBox(leaf))) {
+        expected.push_back(other);
+      }
+    }
+    const auto isOnSameSide = [&](std::size_t node) { return sides[leaf] >= 0 && ofNodes[node] == sides[leaf]; };
+    std::vector<std::size_t> visited;
+    tree.forEachLeafFrom(leaf, isOnSameSide, [&](std::size_t other) { visited.push_back(other); });
+    EXPECT_EQ(visited, expected) << leaf;
+    found += visited.size();
+  }
+  EXPECT_GT(found, tree.leafCount() / 4);
+}
+
 TEST(ClothClusters, containEveryTriangleAndEveryVertexOnceForAnyDivision) {
   const auto model = testing::pinnedSheet(13);
   const ClothClusters clusters(*model);

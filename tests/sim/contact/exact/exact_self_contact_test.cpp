@@ -27,6 +27,13 @@ testing::ContactScene sheetOnItsEdge(const std::string& solver, int n, double ti
   return scene;
 }
 
+/// The same with edges that are shorter than two thicknesses, so that neighbours are within reach.
+testing::ContactScene thickSheetOnItsEdge(const std::string& solver) {
+  testing::ContactScene scene = sheetOnItsEdge(solver, 17, 1.0 / 150.0, 60.0);
+  scene.parameters.contact.thickness = 0.03;
+  return scene;
+}
+
 /// A free sheet without gravity whose halves move towards each other.
 testing::ContactScene closingBook(const std::string& solver, double speed, double timeStep) {
   testing::ContactScene scene(testing::freeSheet(13, 1.0, Vec3::Zero()), {}, solver);
@@ -68,6 +75,16 @@ TEST_P(ExactSelfContactWithSolver, letsNoTrianglesIntersectWhenHalvesMeetAtHighS
   }
 }
 
+TEST_P(ExactSelfContactWithSolver, letsNoTrianglesIntersectInClothThatIsThickForItsEdges) {
+  testing::ContactScene scene = thickSheetOnItsEdge(GetParam());
+  int contacts = 0;
+  scene.run(0.8, [&](const StepReport& report) {
+    contacts = std::max(contacts, report.contact.selfContacts);
+    ASSERT_EQ(scene.pairsWithItself(), 0U);
+  });
+  EXPECT_GT(contacts, 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Solvers, ExactSelfContactWithSolver,
                          ::testing::Values("one_iteration", "verlet", "auto", "newton"),
                          [](const auto& instance) { return std::string(instance.param); });
@@ -100,7 +117,7 @@ void expectSameBitsFromCopiedStates(const std::function<testing::ContactScene()>
       testing::ContactScene fresh = make();
       fresh.state = before;
       fresh.step();
-      ASSERT_EQ(scene.state.positions, fresh.state.positions) << i;
+      ASSERT_EQ(scene.state.positions, fresh.state.positions) << "step " << i;
     }
   }
 }
@@ -108,7 +125,40 @@ void expectSameBitsFromCopiedStates(const std::function<testing::ContactScene()>
 TEST(ExactSelfContact, continuesWithTheSameBitsFromACopiedState) {
   expectSameBitsFromCopiedStates([]() { return sheetOnItsEdge("auto", 25, 1.0 / 150.0, 60.0); }, 120, 5);
   expectSameBitsFromCopiedStates([]() { return sheetOnItsEdge("one_iteration", 25, 1.0 / 60.0, 60.0); }, 50, 1);
+  expectSameBitsFromCopiedStates([]() { return thickSheetOnItsEdge("auto"); }, 120, 5);
   expectSameBitsFromCopiedStates([]() { return closingBook("one_iteration", 20.0, 1.0 / 60.0); }, 30, 1);
+}
+
+/// A sheet that falls on its edge into a bowl, which is a mesh.
+testing::ContactScene sheetInABowl(const std::string& solver, double timeStep) {
+  ClothMesh bowl = testing::sheet(25);
+  for (Vec3& position : bowl.positions) {
+    position -= Vec3(0.5, 0.0, 0.5);
+    position.y() = 3.0 * position.squaredNorm();
+  }
+  const Eigen::Quaterniond upright(Eigen::AngleAxisd(93.0 * std::numbers::pi / 180.0, Vec3::UnitX()));
+  const auto mesh = std::make_shared<const MeshShape>(MeshShape{bowl.positions, bowl.triangles, {}, 1.0, false});
+  testing::ContactScene scene(testing::freeSheet(21, 0.6, Vec3(0.0, 0.45, 0.0), upright),
+                              {testing::bodyAt(mesh, Vec3::Zero())}, solver);
+  scene.parameters.contact.self = SelfCollision::Exact;
+  scene.parameters.material.stiffness = 60.0;
+  scene.parameters.material.damping = 0.01;
+  scene.parameters.timeStep = timeStep;
+  return scene;
+}
+
+TEST(ExactSelfContact, continuesWithTheSameBitsFromACopiedStateOnAMesh) {
+  expectSameBitsFromCopiedStates([]() { return sheetInABowl("auto", 1.0 / 150.0); }, 120, 2);
+  expectSameBitsFromCopiedStates([]() { return sheetInABowl("one_iteration", 1.0 / 60.0); }, 60, 1);
+  expectSameBitsFromCopiedStates([]() { return sheetInABowl("one_iteration", 1.0 / 200.0); }, 160, 1);
+}
+
+TEST(ExactSelfContact, continuesAfterStepsWithTheHash) {
+  testing::ContactScene scene = thickSheetOnItsEdge("auto");
+  scene.parameters.contact.self = SelfCollision::Hash;
+  scene.run(0.1);
+  scene.parameters.contact.self = SelfCollision::Exact;
+  scene.run(0.5, [&](const StepReport&) { ASSERT_EQ(scene.pairsWithItself(), 0U); });
 }
 
 TEST(ExactSelfContact, changesNothingWhereNothingIsNear) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
 
 namespace drape::sim::contact {
 namespace {
@@ -182,6 +183,9 @@ TEST(FeatureBoxes, findsAllOverlapsOfTwoLeavesAndOnlyThose) {
   EXPECT_GT(found, 100);
 }
 
+/// A reach that is longer than the edges of the sheets below, so that there are patches across borders [m].
+constexpr double reachOnFineMesh = 0.1;
+
 TEST(FeaturePatches, containOnlyFeaturesWhoseTrianglesAllBelongToThePatch) {
   ClothMesh sheet = testing::sheet(17);
   for (Vec3& position : sheet.positions) {
@@ -190,34 +194,119 @@ TEST(FeaturePatches, containOnlyFeaturesWhoseTrianglesAllBelongToThePatch) {
   const auto model = buildClothModel(sheet, 1.0, MassLumping::Uniform, {});
   const FeatureMesh mesh = featureMeshOf(*model);
   PatchFinder finder;
-  const PatchHistory history = finder.update(*model, model->restPositions, {});
+  const PatchHistory history = finder.update(*model, reachOnFineMesh, model->restPositions, {});
   const SharedFeaturePatches features = finder.ofFeatures(mesh, history);
   ASSERT_GT(history.patches->count(), 1);
+  ASSERT_GT(history.acrossBorders[0]->count(), 0);
   int between = 0;
+  int inNone = 0;
   for (int v = 0; v < model->vertexCount(); ++v) {
     const std::span<const int> around = model->vertexTriangles[v];
-    const int first = features->ofTriangle[around.front()];
-    const bool same =
-        std::all_of(around.begin(), around.end(), [&](int t) { return features->ofTriangle[t] == first; });
-    EXPECT_EQ(features->ofVertex[v], same ? first : -1);
-    between += same ? 0 : 1;
+    bool isInOne = false;
+    for (const PatchLabels& labels : *features) {
+      const int first = labels.ofTriangle[around.front()];
+      const bool same = std::all_of(around.begin(), around.end(), [&](int t) { return labels.ofTriangle[t] == first; });
+      EXPECT_EQ(labels.ofVertex[v], same ? first : -1);
+      isInOne = isInOne || labels.ofVertex[v] >= 0;
+    }
+    between += features->front().ofVertex[v] < 0 ? 1 : 0;
+    inNone += isInOne ? 0 : 1;
   }
   EXPECT_GT(between, 10);
+  EXPECT_LT(inNone, between);
+}
+
+/// Whether both features of a pair belong to a patch.
+bool haveCommonPatch(const FeaturePatches& sets, const FeaturePair& pair) {
+  return std::ranges::any_of(sets, [&](const PatchLabels& labels) {
+    const int first = pair.edges ? labels.ofEdge[pair.first] : labels.ofVertex[pair.first];
+    const int second = pair.edges ? labels.ofEdge[pair.second] : labels.ofTriangle[pair.second];
+    return first >= 0 && first == second;
+  });
+}
+
+TEST(PairSearch, listsExactlyTheNearPairsWithoutACommonPatch) {
+  ClothMesh roll = testing::sheet(17);
+  for (Vec3& position : roll.positions) {
+    const double angle = 9.0 * position.x();
+    position = Vec3((0.2 + 0.012 * angle) * std::cos(angle), (0.2 + 0.012 * angle) * std::sin(angle), position.z());
+  }
+  const auto model = buildClothModel(roll, 1.0, MassLumping::Uniform, {});
+  const FeatureMesh mesh = featureMeshOf(*model);
+  const std::vector<Vec3>& at = model->restPositions;
+  PatchFinder finder;
+  const SharedFeaturePatches patches = finder.ofFeatures(mesh, finder.update(*model, reachOnFineMesh, at, {}));
+  PairSearch search;
+  Workers workers;
+  search.update({.model = *model, .distance = reachOnFineMesh, .reach = reachOnFineMesh, .patches = patches}, at, at,
+                workers);
+  std::set<std::array<int, 3>> listed;
+  for (const PairSearch::Listed& each : search.pairs()) {
+    EXPECT_FALSE(haveCommonPatch(*patches, each.pair));
+    const auto [low, high] = std::minmax(each.pair.first, each.pair.second);
+    listed.insert(each.pair.edges ? std::array{1, low, high} : std::array{0, each.pair.first, each.pair.second});
+  }
+  int missing = 0;
+  const auto check = [&](const FeaturePair& pair) {
+    if (!haveCommonPatch(*patches, pair) && gapOf(verticesOf(mesh, pair), at).distance < reachOnFineMesh) {
+      missing += listed.contains({pair.edges ? 1 : 0, pair.first, pair.second}) ? 0 : 1;
+    }
+  };
+  for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+    for (int v = 0; v < model->vertexCount(); ++v) {
+      if (!hasCorner(mesh.triangles[t], v)) {
+        check({v, t, false});
+      }
+    }
+  }
+  for (int e = 0; e < static_cast<int>(mesh.edges.edges.size()); ++e) {
+    for (int f = e + 1; f < static_cast<int>(mesh.edges.edges.size()); ++f) {
+      if (!shareEnd(mesh.edges.edges[e], mesh.edges.edges[f])) {
+        check({e, f, true});
+      }
+    }
+  }
+  EXPECT_GT(listed.size(), 100U);
+  EXPECT_EQ(missing, 0);
+}
+
+TEST(FeaturePatches, acrossBordersContainTheFeaturesAtABorder) {
+  ClothMesh tube = testing::sheet(33);
+  for (Vec3& position : tube.positions) {
+    const double angle = 6.0 * position.x();  // nearly a whole turn
+    position = Vec3(std::cos(angle), std::sin(angle), position.z());
+  }
+  const auto model = buildClothModel(tube, 1.0, MassLumping::Uniform, {});
+  PatchFinder finder;
+  const SharedFeaturePatches features =
+      finder.ofFeatures(featureMeshOf(*model), finder.update(*model, reachOnFineMesh, model->restPositions, {}));
+  ASSERT_GT(features->front().patches->count(), 2);
+  int atBorders = 0;
+  int inNone = 0;
+  for (int v = 0; v < model->vertexCount(); ++v) {
+    const auto isOutside = [&](const PatchLabels& labels) { return labels.ofVertex[v] < 0; };
+    atBorders += isOutside(features->front()) ? 1 : 0;
+    inNone += std::ranges::all_of(*features, isOutside) ? 1 : 0;
+  }
+  EXPECT_GT(atBorders, 60);
+  EXPECT_LT(inNone, atBorders / 10);
 }
 
 TEST(FeaturePatches, areRemovedWhereAPatchIsNoLongerCollisionFree) {
   const auto model = buildClothModel(testing::sheet(17), 1.0, MassLumping::Uniform, {});
   const FeatureMesh mesh = featureMeshOf(*model);
   PatchFinder finder;
-  SharedFeaturePatches features = finder.ofFeatures(mesh, finder.update(*model, model->restPositions, {}));
+  SharedFeaturePatches features =
+      finder.ofFeatures(mesh, finder.update(*model, reachOnFineMesh, model->restPositions, {}));
+  const auto countInNone = [&] { return std::ranges::count(features->front().ofVertex, -1); };
   EXPECT_FALSE(finder.removeInvalid(model->restPositions, features));
-  EXPECT_EQ(std::count(features->ofVertex.begin(), features->ofVertex.end(), -1), 0);
+  EXPECT_EQ(countInNone(), 0);
   std::vector<Vec3> folded = model->restPositions;
   for (Vec3& position : folded) {
     position = position.x() < 0.5 ? position : Vec3(1.0 - position.x(), 0.01, position.z());
   }
   EXPECT_TRUE(finder.removeInvalid(folded, features));
-  EXPECT_EQ(std::count(features->ofVertex.begin(), features->ofVertex.end(), -1), model->vertexCount());
+  EXPECT_EQ(countInNone(), model->vertexCount());
 }
 
 }  // namespace
