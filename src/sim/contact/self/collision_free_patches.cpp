@@ -19,6 +19,10 @@ constexpr int kept = -3;
 /// Number of triangles whose mean normal is the axis of a patch.
 constexpr std::size_t trianglesForAxis = 24;
 
+/// The axis of a patch across a border is the mean normal of triangles within 90 degrees, so that it lies between the
+/// sides of a fold. The square of the cosine.
+constexpr float minimumAcrossFolds = 0.0F;
+
 /// Minimum square of a triangle's normal, twice its area, for which the normal is accurate in float [m^4].
 constexpr float minSquaredNormal = 1e-20F;
 
@@ -29,6 +33,12 @@ float squaredCosine(double degrees) {
 
 float dot(const Direction& a, const Direction& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/// The square of the cosine of `growthAngle`.
+float growthMinimum() {
+  static const float minimum = squaredCosine(PatchGrower::growthAngle);
+  return minimum;
 }
 
 Direction unit(const Direction& v) {
@@ -113,8 +123,8 @@ Direction PatchGrower::normal(int triangle) const {
   return {normals_.x[triangle], normals_.y[triangle], normals_.z[triangle]};
 }
 
-bool PatchGrower::faces(int triangle, const Direction& axis) const {
-  static const float minimum = squaredCosine(growthAngle);
+/// Whether the normal of a triangle is within an angle of the axis. @param minimum square of the angle's cosine
+bool PatchGrower::faces(int triangle, const Direction& axis, float minimum) const {
   const Direction n = normal(triangle);
   const float along = dot(n, axis);
   return along > 0.0F && along * along >= minimum * dot(n, n);
@@ -147,14 +157,14 @@ void PatchGrower::take(const PatchMesh& mesh, int triangle) {
   }
 }
 
-void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axis, std::size_t maximum) {
+void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axis, float minimum, std::size_t maximum) {
   ++attempt_;
   order_.clear();
   queue_.clear();
   take(mesh, seed);
   for (std::size_t i = 0; i < queue_.size() && order_.size() < maximum; ++i) {
     const int t = queue_[i];
-    if (owner_[t] == freeTriangle && faces(t, axis) && keepsDisc(mesh, t)) {
+    if (owner_[t] == freeTriangle && faces(t, axis, minimum) && keepsDisc(mesh, t)) {
       take(mesh, t);
     }
   }
@@ -167,9 +177,10 @@ void PatchGrower::giveBack(std::size_t keptCount) {
   order_.resize(keptCount);
 }
 
-Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed) {
+/// The mean normal of the first triangles around a seed that face a patch there. @param minimum see `faces`
+Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed, float minimum) {
   const Direction own = unit(normal(seed));
-  takeFrom(mesh, seed, own, trianglesForAxis);
+  takeFrom(mesh, seed, own, minimum, trianglesForAxis);
   Direction sum = {0.0F, 0.0F, 0.0F};
   for (const int t : order_) {
     const Direction n = normal(t);
@@ -179,7 +190,7 @@ Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed) {
   }
   giveBack(0);
   const Direction mean = unit(sum);
-  return faces(seed, mean) ? mean : own;
+  return faces(seed, mean, growthMinimum()) ? mean : own;
 }
 
 void PatchGrower::findBorder(const PatchMesh& mesh, std::size_t count) {
@@ -311,10 +322,10 @@ void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector
 
 /// Grows a patch from a triangle, unless it belongs to one already.
 void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed,
-                           CollisionFreePatches& patches) {
+                           float minimumForAxis, CollisionFreePatches& patches) {
   if (owner_[seed] == freeTriangle) {
-    const Direction axis = axisAround(mesh, seed);
-    takeFrom(mesh, seed, axis, mesh.triangles.size());
+    const Direction axis = axisAround(mesh, seed, minimumForAxis);
+    takeFrom(mesh, seed, axis, growthMinimum(), mesh.triangles.size());
     cutBack(mesh, positions, axis);
     add(mesh, axis, patches);
   }
@@ -322,7 +333,7 @@ void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions
 
 void PatchGrower::growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    growFrom(mesh, positions, static_cast<int>(t), patches);
+    growFrom(mesh, positions, static_cast<int>(t), growthMinimum(), patches);
   }
   sortVertices(patches);
 }
@@ -357,7 +368,7 @@ void PatchGrower::growAcrossBorders(const PatchMesh& mesh, const PositionLanes& 
   begin(mesh, positions, patches);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (std::ranges::any_of(mesh.triangles[t], [&](int v) { return inside[v] == 0; })) {
-      growFrom(mesh, positions, static_cast<int>(t), patches);
+      growFrom(mesh, positions, static_cast<int>(t), minimumAcrossFolds, patches);
     }
   }
 }

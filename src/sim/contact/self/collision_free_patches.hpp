@@ -98,13 +98,14 @@ class PatchGrower {
  private:
   void begin(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
   void keepPatches(const CollisionFreePatches& old, const std::vector<char>& valid, CollisionFreePatches& patches);
-  void growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, CollisionFreePatches& patches);
+  void growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, float minimumForAxis,
+                CollisionFreePatches& patches);
   void growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
-  [[nodiscard]] std::array<float, 3> axisAround(const PatchMesh& mesh, int seed);
-  void takeFrom(const PatchMesh& mesh, int seed, const std::array<float, 3>& axis, std::size_t maximum);
+  [[nodiscard]] std::array<float, 3> axisAround(const PatchMesh& mesh, int seed, float minimum);
+  void takeFrom(const PatchMesh& mesh, int seed, const std::array<float, 3>& axis, float minimum, std::size_t maximum);
   [[nodiscard]] bool keepsDisc(const PatchMesh& mesh, int triangle) const;
   void take(const PatchMesh& mesh, int triangle);
-  [[nodiscard]] bool faces(int triangle, const std::array<float, 3>& axis) const;
+  [[nodiscard]] bool faces(int triangle, const std::array<float, 3>& axis, float minimum) const;
   [[nodiscard]] std::array<float, 3> normal(int triangle) const;
   void giveBack(std::size_t kept);
   void findBorder(const PatchMesh& mesh, std::size_t count);
