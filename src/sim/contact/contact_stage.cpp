@@ -172,27 +172,33 @@ ExactSelfContact& ContactStage::exactSelfContact() {
 void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<BodyStep>* bodies, ClothState& state,
                                       ContactReport& report) {
   if (bodies == nullptr) {
-    report.crossings = exactSelfContact().guard(step, {}, state);
+    report.crossings = exactSelfContact().guard(step, {}, state).value_or(0);
     return;
   }
-  fallback_ = start_;
-  // Positions outside all bodies, from which keepOut searches.
-  const std::vector<Vec3>* outside = &fallback_;
-  if (!bodyContact().carryAlong(fallback_)) {
-    resolved_ = state.positions;
-    outside = &resolved_;
-  }
   planes_.clear();
+  setFallback(state);
   for (int round = 0; round < maxGuardRounds; ++round) {
     // Keeps the planes of earlier rounds, so that the rounds converge.
+    const auto kept = static_cast<std::ptrdiff_t>(planes_.size());
     planes_.insert(planes_.end(), bodyContact().planes().begin(), bodyContact().planes().end());
+    if (const auto crossings = exactSelfContact().guard(step, {planes_, fallback_, false}, state)) {
+      report.crossings = *crossings;
+      return;
+    }
+    bodyContact().completePlanes(step.model, step.parameters, step.contact, start_);
+    planes_.erase(planes_.begin() + kept, planes_.end());
+    planes_.insert(planes_.end(), bodyContact().planes().begin(), bodyContact().planes().end());
+    if (round == 0) {
+      setFallback(state);
+    }
     unguarded_ = state.positions;
-    report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state);
+    report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state).value_or(0);
     if (state.positions == unguarded_) {
       return;
     }
     unguarded_ = state.positions;
-    if (!bodyContact().keepOut(step.model, step.parameters, step.contact, *bodies, *outside, state.positions)) {
+    if (!bodyContact().keepOut(step.model, step.parameters, step.contact, *bodies,
+                               allAreCarried_ ? fallback_ : resolved_, state.positions)) {
       return;
     }
     const auto bodyVelocity = [&](std::size_t v) {
@@ -208,7 +214,15 @@ void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<B
       state.velocities[v] = (fallback_[v] - start_[v]) / step.parameters.timeStep;
     }
   }
-  report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state);
+  report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state).value_or(0);
+}
+
+/// Sets the positions to which the guard can move vertices back, and those outside all bodies from which keepOut
+/// searches.
+void ContactStage::setFallback(const ClothState& state) {
+  fallback_ = start_;
+  allAreCarried_ = bodyContact().carryAlong(fallback_);
+  resolved_ = state.positions;
 }
 
 ContactReport ContactStage::keepLast() {

@@ -101,6 +101,7 @@ class ContactStage {
   ExactSelfContact& exactSelfContact();
   ContactReport correct(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                         const StepInputs& inputs, ClothState& state, double stepFraction);
+  void setFallback(const ClothState& state);
   void guardAgainstItself(const ExactStep& step, const std::vector<BodyStep>* bodies, ClothState& state,
                           ContactReport& report);
 
@@ -123,6 +124,7 @@ class ContactStage {
   std::vector<Vec3> unguarded_;              // positions before the guard [m]
   std::vector<Vec3> resolved_;               // positions after contact with bodies, before the guard [m]
   std::vector<Vec3> fallback_;               // positions at the start, carried along by the bodies [m]
+  bool allAreCarried_ = false;               // whether all vertices move along with the same bodies
 };
 
 }  // namespace drape::sim::contact

@@ -43,6 +43,7 @@ class ContactScene {
     world_.advance(state.time, parameters.timeStep);
     StepInputs inputs;
     inputs.bodies = &world_.steps();
+    inputs.movedPins = movedPins.empty() ? nullptr : &movedPins;
     return stepper_.step(*model_, parameters, inputs, state);
   }
 
@@ -73,6 +74,7 @@ class ContactScene {
 
   StepParameters parameters;
   ClothState state;
+  std::vector<MovedPin> movedPins;
 
  private:
   [[nodiscard]] const BodyShape& bodyShape(std::size_t body) const { return world_.bodies()[body].shape; }

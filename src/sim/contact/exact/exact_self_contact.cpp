@@ -243,10 +243,15 @@ void ExactSelfContact::recover(const ExactStep& step, ClothState& state) {
 
 /// Guards pairs of different patches until all patches are collision-free.
 /// @param history the patches at the start; those at the end are stored here
-PairGuard::Result ExactSelfContact::keepApart(const ExactStep& step, PairGuard::Inputs inputs,
-                                              std::vector<Vec3>& positions, PatchHistory& history) {
+/// @returns empty if cloth must be moved and this is not permitted
+std::optional<PairGuard::Result> ExactSelfContact::keepApart(const ExactStep& step, PairGuard::Inputs inputs,
+                                                             bool mayMove, std::vector<Vec3>& positions,
+                                                             PatchHistory& history) {
   history = patches_.update(step.model, reachOf(step), positions, history);
   inputs.patches = patches_.ofFeatures(search_.meshOf(step.model), history);
+  if (!mayMove) {
+    return guard_.resultWithoutMotion(inputs, search_, workers_, positions);
+  }
   bool wereRemoved = false;
   for (int round = 0;; ++round) {
     wanted_ = positions;
@@ -264,7 +269,7 @@ PairGuard::Result ExactSelfContact::keepApart(const ExactStep& step, PairGuard::
   }
 }
 
-int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state) {
+std::optional<int> ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state) {
   before_ = state.positions;
   const bool nearBodies = !bodies.fallback.empty();
   const Vec3 common = nearBodies ? Vec3(Vec3::Zero()) : meanDisplacement(step.start, before_);
@@ -279,25 +284,28 @@ int ExactSelfContact::guard(const ExactStep& step, const BodyLimits& bodies, Clo
   memory->vertices = step.model.vertexCount();
   memory->triangles = static_cast<int>(step.model.triangles.size());
   memory->patches = step.memory != nullptr ? step.memory->patches : PatchHistory{};
-  const PairGuard::Result result = keepApart(step,
-                                             {.model = step.model,
-                                              .inverseMass = inverseMass(step.model),
-                                              .start = step.start,
-                                              .fallback = fallback_,
-                                              .bodyPlanes = bodies.planes,
-                                              .entangled = entangled_,
-                                              .patches = nullptr,
-                                              .thickness = step.contact.thickness,
-                                              .reach = reachOf(step),
-                                              .obstaclesMove = bodiesMove || pinSpeed_ > 0.0,
-                                              .threads = step.parameters.threads},
-                                             state.positions, memory->patches);
+  const std::optional<PairGuard::Result> result = keepApart(step,
+                                                            {.model = step.model,
+                                                             .inverseMass = inverseMass(step.model),
+                                                             .start = step.start,
+                                                             .fallback = fallback_,
+                                                             .bodyPlanes = bodies.planes,
+                                                             .entangled = entangled_,
+                                                             .patches = nullptr,
+                                                             .thickness = step.contact.thickness,
+                                                             .reach = reachOf(step),
+                                                             .obstaclesMove = bodiesMove || pinSpeed_ > 0.0,
+                                                             .threads = step.parameters.threads},
+                                                            bodies.areComplete, state.positions, memory->patches);
+  if (!result) {
+    return std::nullopt;
+  }
   const Vec3 commonVelocity = common / step.parameters.timeStep;
   removeApproach(
       before_, [&](std::size_t) -> const Vec3& { return commonVelocity; }, step.parameters.timeStep, state);
-  state.hasNoSelfIntersection = result.crossings == 0 && result.touching == 0 && entangled_.empty();
+  state.hasNoSelfIntersection = result->crossings == 0 && result->touching == 0 && entangled_.empty();
   state.selfContact = memory;
-  return result.crossings;
+  return result->crossings;
 }
 
 }  // namespace drape::sim::contact

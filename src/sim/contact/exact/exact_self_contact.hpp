@@ -18,6 +18,7 @@
 #include "sim/model/workers.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace drape::sim::contact {
@@ -50,6 +51,7 @@ class ExactSelfContact {
   struct BodyLimits {
     std::span<const SeparatingPlane> planes;
     std::span<const Vec3> fallback;  ///< positions outside the bodies [m]; empty: there are no bodies near
+    bool areComplete = true;         ///< whether the planes suffice for further displacements of the cloth
   };
 
   /// Whether features come into contact on the way to `ahead` [m], and how far they move relative to each other.
@@ -75,8 +77,9 @@ class ExactSelfContact {
   /// Requires a call of `resolve` for the same step. Keeps features from passing through each other, and removes the
   /// velocity of vertices towards what stops them. Stores in `state` whether the cloth is now free of intersections
   /// with itself, and its collision-free patches.
-  /// @returns number of pairs that could not be separated; those that intersect at the start do not count
-  int guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state);
+  /// @returns number of pairs that could not be separated; those that intersect at the start do not count. Empty if
+  /// cloth must be moved and the planes of bodies are not complete; nothing has changed then.
+  std::optional<int> guard(const ExactStep& step, const BodyLimits& bodies, ClothState& state);
 
  private:
   void findContacts(const ExactStep& step, double margin, double separationStep, const std::vector<Vec3>& predicted,
@@ -88,8 +91,8 @@ class ExactSelfContact {
   void recover(const ExactStep& step, ClothState& state);
   void findEntangledAt(const ExactStep& step);
   SharedFeaturePatches patchesAtStart(const ExactStep& step);
-  PairGuard::Result keepApart(const ExactStep& step, PairGuard::Inputs inputs, std::vector<Vec3>& positions,
-                              PatchHistory& history);
+  std::optional<PairGuard::Result> keepApart(const ExactStep& step, PairGuard::Inputs inputs, bool mayMove,
+                                             std::vector<Vec3>& positions, PatchHistory& history);
   const std::vector<double>& inverseMass(const ClothModel& model);
 
   PatchFinder patches_;

@@ -61,14 +61,14 @@ void PatchFinder::setPositions(std::span<const Vec3> positions) {
   check_.setBorderMargin(borderMarginRatio * size);
 }
 
-PatchHistory PatchFinder::update(const ClothModel& model, double reach, std::span<const Vec3> positions,
+PatchHistory PatchFinder::update(const ClothModel& model, double maxDistance, std::span<const Vec3> positions,
                                  const PatchHistory& last) {
   setPositions(positions);
   const bool known = last.patches != nullptr && last.patches->patchOfVertex.size() == positions.size() &&
                      last.patches->patchOfTriangle.size() == model.triangles.size();
   const PatchMesh& mesh = mesh_.get(model, patchMeshOf);
   PatchHistory next = updater_.update(mesh, positions_, known ? last : PatchHistory{}, maxUpdatesPerGrowth);
-  const bool isFine = meanEdge_.get(model, meanEdge) < reachesOfShortEdges * reach;
+  const bool isFine = meanEdge_.get(model, meanEdge) < reachesOfShortEdges * maxDistance;
   updateAcrossBorders(mesh, isFine ? static_cast<int>(furtherPatchSets) : 0, last, next);
   return next;
 }

@@ -31,8 +31,8 @@ using SharedFeaturePatches = std::shared_ptr<const FeaturePatches>;
 class PatchFinder {
  public:
   /// The patches of the cloth at `positions` [m]. Those of `last` are kept if they are valid.
-  /// @param reach distance up to which pairs are searched [m]
-  [[nodiscard]] PatchHistory update(const ClothModel& model, double reach, std::span<const Vec3> positions,
+  /// @param maxDistance up to which pairs are searched [m]
+  [[nodiscard]] PatchHistory update(const ClothModel& model, double maxDistance, std::span<const Vec3> positions,
                                     const PatchHistory& last);
 
   /// The patches of the features. Equal patches have the same address in successive calls.

@@ -49,6 +49,13 @@ int violatedPlanes(const PairGuard::Inputs& inputs, std::span<const Vec3> positi
       }));
 }
 
+/// Makes the list of near pairs valid for the motion to `positions` [m].
+void updateSearch(const PairGuard::Inputs& inputs, PairSearch& search, Workers& workers,
+                  std::span<const Vec3> positions) {
+  search.update({inputs.model, guardedSeparation * inputs.thickness, inputs.reach, inputs.patches, inputs.threads},
+                inputs.start, positions, workers);
+}
+
 }  // namespace
 
 /// Finds the pairs that are not separated, and counts those that touch at the start.
@@ -145,9 +152,7 @@ void PairGuard::addPlanes(const Inputs& inputs, std::size_t first) {
 /// @returns true if there are any
 bool PairGuard::find(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<const Vec3> positions) {
   ++searches_;
-  const double required = guardedSeparation * inputs.thickness;
-  search.update({inputs.model, required, inputs.reach, inputs.patches, inputs.threads}, inputs.start, positions,
-                workers);
+  updateSearch(inputs, search, workers, positions);
   findCrossing(inputs, search, workers, positions);
   guardFound();
   return !found_.empty();
@@ -271,6 +276,16 @@ PairGuard::Result PairGuard::applyInParts(const Inputs& inputs, int parts, PairS
     partStart_.assign(positions.begin(), positions.end());
   }
   return result;
+}
+
+std::optional<PairGuard::Result> PairGuard::resultWithoutMotion(const Inputs& inputs, PairSearch& search,
+                                                                Workers& workers, std::span<const Vec3> positions) {
+  updateSearch(inputs, search, workers, positions);
+  findCrossing(inputs, search, workers, positions);
+  if (!found_.empty() || violatedPlanes(inputs, positions) > 0) {
+    return std::nullopt;
+  }
+  return Result{.touching = touching_};
 }
 
 PairGuard::Result PairGuard::apply(const Inputs& inputs, PairSearch& search, Workers& workers,

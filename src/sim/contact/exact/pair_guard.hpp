@@ -6,6 +6,7 @@
 #include "sim/contact/separating_planes/separating_plane_filter.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -52,6 +53,10 @@ class PairGuard {
 
   /// Begins a step, in which `apply` can be called several times.
   void begin() { searches_ = 0; }
+
+  /// The result of `apply` if it would not move a vertex; empty otherwise.
+  [[nodiscard]] std::optional<Result> resultWithoutMotion(const Inputs& inputs, PairSearch& search, Workers& workers,
+                                                          std::span<const Vec3> positions);
 
   /// Changes `positions`, those at the end of the step [m]. After many searches in a step it only moves cloth back.
   Result apply(const Inputs& inputs, PairSearch& search, Workers& workers, std::span<Vec3> positions);

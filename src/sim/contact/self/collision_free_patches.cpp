@@ -321,8 +321,8 @@ void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector
 }
 
 /// Grows a patch from a triangle, unless it belongs to one already.
-void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed,
-                           float minimumForAxis, CollisionFreePatches& patches) {
+void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, float minimumForAxis,
+                           CollisionFreePatches& patches) {
   if (owner_[seed] == freeTriangle) {
     const Direction axis = axisAround(mesh, seed, minimumForAxis);
     takeFrom(mesh, seed, axis, growthMinimum(), mesh.triangles.size());

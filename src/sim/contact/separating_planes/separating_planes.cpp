@@ -43,6 +43,15 @@ bool SeparatingPlanes::find(const ContactPass& pass, const ClothFrames& frames, 
   return newlyFound;
 }
 
+void SeparatingPlanes::complete(const ContactPass& pass, const ClothFrames& frames, const BodyOverlaps& overlaps) {
+  for (const NearBody& body : pass.bodies) {
+    if (body.mesh != nullptr) {
+      body.search->requestAllPlanes();
+    }
+  }
+  find(pass, frames, overlaps);
+}
+
 /// Requests planes for triangles that were skipped and have a vertex that planes moved from `solved_`.
 /// @param all whether to request planes for all triangles
 /// @return true if there are such triangles

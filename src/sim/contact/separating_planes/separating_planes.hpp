@@ -24,6 +24,10 @@ class SeparatingPlanes {
   /// @return true if the cloth pierces a mesh where the search for contacts did not know of it
   bool find(const ContactPass& pass, const ClothFrames& frames, const BodyOverlaps& overlaps);
 
+  /// Adds the planes of the triangles that `find` leaves out, because known distances show that they do not reach the
+  /// mesh. Which distances are known depends on earlier steps; the complete planes depend on this pass only.
+  void complete(const ContactPass& pass, const ClothFrames& frames, const BodyOverlaps& overlaps);
+
   /// Moves the solved positions to the permitted side of the planes (SeparatingPlaneFilter). If this moves vertices of
   /// triangles without planes, finds the planes of these triangles and starts again.
   /// @return number of infeasible vertices

@@ -95,6 +95,7 @@ void BodyContact::runPasses(const ClothStep& step, ContactReport& report, std::v
 
 /// One search and one correction. Returns true if another pass is needed.
 bool BodyContact::runPass(const ContactPass& pass, ContactReport& report, std::vector<Vec3>& positions) {
+  lastPassStartsAtEnd_ = pass.atEnd();
   bodies_.beginPass(pass.cloth);
   bool newlyFound = true;
   for (int i = 0; i < 2 && newlyFound; ++i) {
@@ -148,6 +149,7 @@ bool BodyContact::keepOut(const ClothModel& model, const CommonParameters& param
     return false;
   }
   const ContactPass pass{step, prepared(model), bodies_, &outside, workers_};
+  lastPassStartsAtEnd_ = pass.atEnd();
   bodies_.beginPass(pass.cloth);
   frames_.prepare(pass);
   overlaps_.find(pass, frames_, true);
@@ -164,6 +166,15 @@ bool BodyContact::keepOut(const ClothModel& model, const CommonParameters& param
   }
   positions = predicted_;
   return false;
+}
+
+void BodyContact::completePlanes(const ClothModel& model, const CommonParameters& parameters,
+                                 const ContactParameters& contact, const std::vector<Vec3>& start) {
+  if (bodies_.haveMeshes()) {
+    const ClothStep step{model, parameters, contact, start, predicted_};
+    planes_.complete({step, prepared(model), bodies_, lastPassStartsAtEnd_ ? &start : nullptr, workers_}, frames_,
+                     overlaps_);
+  }
 }
 
 void BodyContact::findSubstepContacts(const ClothModel& model, const CommonParameters& parameters,

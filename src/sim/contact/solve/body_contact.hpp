@@ -67,8 +67,13 @@ class BodyContact {
   void reportSubstepContacts(const std::vector<SubstepContact>& contacts, const ClothState& state,
                              ContactReport& report, std::vector<ContactPoint>& points) const;
 
-  /// The separating planes of the last pass of `resolve`, or of `keepOut`.
+  /// The separating planes of the last pass of `resolve`, or of `keepOut`. They suffice for the positions that these
+  /// found.
   [[nodiscard]] std::span<const SeparatingPlane> planes() const { return planes_.all(); }
+  /// Completes the planes, for further displacements of the cloth. See SeparatingPlanes.
+  /// @param start positions at the start of the contact substep [m]
+  void completePlanes(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
+                      const std::vector<Vec3>& start);
   /// Moves positions at the start of the step [m] along with the bodies whose planes limit the cloth in `resolve`. If
   /// these have the same rigid motion, all positions move with it, so that they stay outside and apart from each other.
   /// Otherwise, only the vertices that have planes move.
@@ -104,7 +109,8 @@ class BodyContact {
   Candidates candidates_;  // of the last pass; its planes are in `planes_`
   ContactResponse response_;
   SeparatingPlanes planes_;
-  std::vector<Vec3> predicted_;  // positions at the end of the step, without contact [m]
+  std::vector<Vec3> predicted_;       // positions at the end of the step, without contact [m]
+  bool lastPassStartsAtEnd_ = false;  // see ContactPass
   Workers workers_;
 };
 
