@@ -178,21 +178,8 @@ void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<B
   planes_.clear();
   setFallback(state);
   for (int round = 0; round < maxGuardRounds; ++round) {
-    // Keeps the planes of earlier rounds, so that the rounds converge.
-    const auto kept = static_cast<std::ptrdiff_t>(planes_.size());
-    planes_.insert(planes_.end(), bodyContact().planes().begin(), bodyContact().planes().end());
-    if (const auto crossings = exactSelfContact().guard(step, {planes_, fallback_, false}, state)) {
-      report.crossings = *crossings;
-      return;
-    }
-    bodyContact().completePlanes(step.model, step.parameters, step.contact, start_);
-    planes_.erase(planes_.begin() + kept, planes_.end());
-    planes_.insert(planes_.end(), bodyContact().planes().begin(), bodyContact().planes().end());
-    if (round == 0) {
-      setFallback(state);
-    }
     unguarded_ = state.positions;
-    report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state).value_or(0);
+    report.crossings = guardOnce(step, round == 0, state);
     if (state.positions == unguarded_) {
       return;
     }
@@ -215,6 +202,30 @@ void ContactStage::guardAgainstItself(const ExactStep& step, const std::vector<B
     }
   }
   report.crossings = exactSelfContact().guard(step, {planes_, fallback_}, state).value_or(0);
+}
+
+/// One round of the guard. Only a round that must move cloth needs complete planes.
+/// @returns number of pairs that could not be separated
+int ContactStage::guardOnce(const ExactStep& step, bool isFirst, ClothState& state) {
+  const auto kept = static_cast<std::ptrdiff_t>(planes_.size());
+  setPlanesAfter(kept);
+  if (const auto crossings = exactSelfContact().guard(step, {planes_, fallback_, false}, state)) {
+    return *crossings;
+  }
+  bodyContact().completePlanes(step.model, step.parameters, step.contact, start_);
+  setPlanesAfter(kept);
+  if (isFirst) {
+    setFallback(state);  // depends on the planes
+  }
+  return exactSelfContact().guard(step, {planes_, fallback_}, state).value_or(0);
+}
+
+/// Replaces all planes but the first `kept` ones by the present planes of bodies. Those of earlier rounds are kept, so
+/// that the rounds converge.
+void ContactStage::setPlanesAfter(std::ptrdiff_t kept) {
+  const std::span<const SeparatingPlane> present = bodyContact().planes();
+  planes_.erase(planes_.begin() + kept, planes_.end());
+  planes_.insert(planes_.end(), present.begin(), present.end());
 }
 
 /// Sets the positions to which the guard can move vertices back, and those outside all bodies from which keepOut

@@ -101,6 +101,8 @@ class ContactStage {
   ExactSelfContact& exactSelfContact();
   ContactReport correct(const ClothModel& model, const CommonParameters& parameters, const ContactParameters& contact,
                         const StepInputs& inputs, ClothState& state, double stepFraction);
+  int guardOnce(const ExactStep& step, bool isFirst, ClothState& state);
+  void setPlanesAfter(std::ptrdiff_t kept);
   void setFallback(const ClothState& state);
   void guardAgainstItself(const ExactStep& step, const std::vector<BodyStep>* bodies, ClothState& state,
                           ContactReport& report);
