@@ -296,7 +296,7 @@ std::optional<int> ExactSelfContact::guard(const ExactStep& step, const BodyLimi
                                                              .reach = reachOf(step),
                                                              .obstaclesMove = bodiesMove || pinSpeed_ > 0.0,
                                                              .threads = step.parameters.threads},
-                                                            bodies.areComplete, state.positions, memory->patches);
+                                                            bodies.planesAreComplete, state.positions, memory->patches);
   if (!result) {
     return std::nullopt;
   }

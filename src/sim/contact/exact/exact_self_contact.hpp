@@ -51,7 +51,7 @@ class ExactSelfContact {
   struct BodyLimits {
     std::span<const SeparatingPlane> planes;
     std::span<const Vec3> fallback;  ///< positions outside the bodies [m]; empty: there are no bodies near
-    bool areComplete = true;         ///< whether the planes suffice for further displacements of the cloth
+    bool planesAreComplete = true;   ///< whether the planes suffice for further displacements of the cloth
   };
 
   /// Whether features come into contact on the way to `ahead` [m], and how far they move relative to each other.

@@ -28,12 +28,9 @@ int joined(int patch, int patchOfTriangle) {
 PatchLabels labelled(const FeatureMesh& mesh, std::shared_ptr<const CollisionFreePatches> patches) {
   PatchLabels labels{.patches = std::move(patches), .ofVertex = {}, .ofEdge = {}, .ofTriangle = {}};
   labels.ofTriangle = labels.patches->patchOfTriangle;
-  labels.ofVertex.assign(labels.patches->patchOfVertex.size(), unknown);
+  labels.ofVertex = patchesAroundVertices(mesh.triangles, *labels.patches);
   labels.ofEdge.assign(mesh.edges.edges.size(), unknown);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const int v : mesh.triangles[t]) {
-      labels.ofVertex[v] = joined(labels.ofVertex[v], labels.ofTriangle[t]);
-    }
     for (const int e : mesh.edgesOfTriangle[t]) {
       if (e >= 0) {
         labels.ofEdge[e] = joined(labels.ofEdge[e], labels.ofTriangle[t]);
@@ -69,13 +66,14 @@ PatchHistory PatchFinder::update(const ClothModel& model, double maxDistance, st
   const PatchMesh& mesh = mesh_.get(model, patchMeshOf);
   PatchHistory next = updater_.update(mesh, positions_, known ? last : PatchHistory{}, maxUpdatesPerGrowth);
   const bool isFine = meanEdge_.get(model, meanEdge) < reachesOfShortEdges * maxDistance;
-  updateAcrossBorders(mesh, isFine ? static_cast<int>(furtherPatchSets) : 0, last, next);
+  updateAcrossBorders(mesh, isFine, last, next);
   return next;
 }
 
 /// Sets the patches across borders. Those of `last` are kept if the sets before them are the same and they are valid.
-/// @param wanted the number of sets that have patches
-void PatchFinder::updateAcrossBorders(const PatchMesh& mesh, int wanted, const PatchHistory& last, PatchHistory& next) {
+/// @param isFine whether there are any; otherwise the sets are empty
+void PatchFinder::updateAcrossBorders(const PatchMesh& mesh, bool isFine, const PatchHistory& last,
+                                      PatchHistory& next) {
   std::array<std::shared_ptr<const CollisionFreePatches>, patchSets> sets{next.patches};
   bool areSame = last.patches == next.patches;
   for (std::size_t k = 0; k < furtherPatchSets; ++k) {
@@ -85,10 +83,11 @@ void PatchFinder::updateAcrossBorders(const PatchMesh& mesh, int wanted, const P
       next.acrossBorders[k] = old;
     } else {
       auto patches = std::make_shared<CollisionFreePatches>();
-      patches->patchOfVertex.assign(static_cast<std::size_t>(mesh.vertices), none);
-      patches->patchOfTriangle.assign(mesh.triangles.size(), none);
-      if (static_cast<int>(k) < wanted) {
+      if (isFine) {
         grower_.growAcrossBorders(mesh, positions_, std::span(sets).first(k + 1), *patches);
+      } else {
+        patches->patchOfVertex.assign(static_cast<std::size_t>(mesh.vertices), none);
+        patches->patchOfTriangle.assign(mesh.triangles.size(), none);
       }
       next.acrossBorders[k] = patches;
     }
@@ -110,22 +109,23 @@ SharedFeaturePatches PatchFinder::ofFeatures(const FeatureMesh& mesh, const Patc
 
 bool PatchFinder::removeInvalid(std::span<const Vec3> positions, SharedFeaturePatches& patches) {
   setPositions(positions);
-  FeaturePatches remaining = *patches;
+  std::shared_ptr<FeaturePatches> remaining;
   bool removed = false;
-  for (PatchLabels& labels : remaining) {
-    removed = removeInvalidOf(labels) || removed;
+  for (std::size_t k = 0; k < patchSets; ++k) {
+    if (check_.failures(*(*patches)[k].patches, positions_, valid_) > 0) {
+      remaining = remaining != nullptr ? remaining : std::make_shared<FeaturePatches>(*patches);
+      removed = removeMarked((*remaining)[k]) || removed;
+    }
   }
   if (removed) {
-    patches = std::make_shared<FeaturePatches>(std::move(remaining));
+    patches = remaining;
   }
   return removed;
 }
 
-/// @returns whether features were removed
-bool PatchFinder::removeInvalidOf(PatchLabels& labels) {
-  if (check_.failures(*labels.patches, positions_, valid_) == 0) {
-    return false;
-  }
+/// Removes the features of the patches that the last check found invalid.
+/// @returns whether there are any
+bool PatchFinder::removeMarked(PatchLabels& labels) const {
   bool removed = false;
   for (auto* part : {&labels.ofVertex, &labels.ofEdge, &labels.ofTriangle}) {
     for (int& patch : *part) {

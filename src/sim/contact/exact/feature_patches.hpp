@@ -44,8 +44,8 @@ class PatchFinder {
 
  private:
   void setPositions(std::span<const Vec3> positions);
-  void updateAcrossBorders(const PatchMesh& mesh, int wanted, const PatchHistory& last, PatchHistory& next);
-  [[nodiscard]] bool removeInvalidOf(PatchLabels& labels);
+  void updateAcrossBorders(const PatchMesh& mesh, bool isFine, const PatchHistory& last, PatchHistory& next);
+  [[nodiscard]] bool removeMarked(PatchLabels& labels) const;
 
   ModelCache<PatchMesh> mesh_;
   ModelCache<double> meanEdge_;  // [m]

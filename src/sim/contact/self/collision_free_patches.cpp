@@ -21,7 +21,7 @@ constexpr std::size_t trianglesForAxis = 24;
 
 /// The axis of a patch across a border is the mean normal of triangles within 90 degrees, so that it lies between the
 /// sides of a fold. The square of the cosine.
-constexpr float minimumAcrossFolds = 0.0F;
+constexpr float squaredCosineAcrossFolds = 0.0F;
 
 /// Minimum square of a triangle's normal, twice its area, for which the normal is accurate in float [m^4].
 constexpr float minSquaredNormal = 1e-20F;
@@ -36,7 +36,7 @@ float dot(const Direction& a, const Direction& b) {
 }
 
 /// The square of the cosine of `growthAngle`.
-float growthMinimum() {
+float growthSquaredCosine() {
   static const float minimum = squaredCosine(PatchGrower::growthAngle);
   return minimum;
 }
@@ -58,6 +58,18 @@ void fillUp(std::vector<std::int32_t>& values) {
 }
 
 }  // namespace
+
+std::vector<int> patchesAroundVertices(const std::vector<Triangle>& triangles, const CollisionFreePatches& patches) {
+  constexpr int unknown = -2;
+  std::vector<int> common(patches.patchOfVertex.size(), unknown);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const int patch = patches.patchOfTriangle[t];
+    for (const int v : triangles[t]) {
+      common[v] = common[v] == unknown || common[v] == patch ? patch : -1;
+    }
+  }
+  return common;
+}
 
 PatchMesh patchMeshOf(const ClothModel& model) {
   PatchMesh mesh;
@@ -123,11 +135,11 @@ Direction PatchGrower::normal(int triangle) const {
   return {normals_.x[triangle], normals_.y[triangle], normals_.z[triangle]};
 }
 
-/// Whether the normal of a triangle is within an angle of the axis. @param minimum square of the angle's cosine
-bool PatchGrower::faces(int triangle, const Direction& axis, float minimum) const {
+/// Whether the normal of a triangle is within an angle of the axis. @param minSquaredCosine of this angle
+bool PatchGrower::faces(int triangle, const Direction& axis, float minSquaredCosine) const {
   const Direction n = normal(triangle);
   const float along = dot(n, axis);
-  return along > 0.0F && along * along >= minimum * dot(n, n);
+  return along > 0.0F && along * along >= minSquaredCosine * dot(n, n);
 }
 
 bool PatchGrower::keepsDisc(const PatchMesh& mesh, int triangle) const {
@@ -157,14 +169,15 @@ void PatchGrower::take(const PatchMesh& mesh, int triangle) {
   }
 }
 
-void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axis, float minimum, std::size_t maximum) {
+void PatchGrower::takeFrom(const PatchMesh& mesh, int seed, const Direction& axis, float minSquaredCosine,
+                           std::size_t maximum) {
   ++attempt_;
   order_.clear();
   queue_.clear();
   take(mesh, seed);
   for (std::size_t i = 0; i < queue_.size() && order_.size() < maximum; ++i) {
     const int t = queue_[i];
-    if (owner_[t] == freeTriangle && faces(t, axis, minimum) && keepsDisc(mesh, t)) {
+    if (owner_[t] == freeTriangle && faces(t, axis, minSquaredCosine) && keepsDisc(mesh, t)) {
       take(mesh, t);
     }
   }
@@ -177,10 +190,11 @@ void PatchGrower::giveBack(std::size_t keptCount) {
   order_.resize(keptCount);
 }
 
-/// The mean normal of the first triangles around a seed that face a patch there. @param minimum see `faces`
-Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed, float minimum) {
+/// The mean normal of the first triangles around a seed whose normals are within an angle of its own.
+/// @param minSquaredCosine of this angle
+Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed, float minSquaredCosine) {
   const Direction own = unit(normal(seed));
-  takeFrom(mesh, seed, own, minimum, trianglesForAxis);
+  takeFrom(mesh, seed, own, minSquaredCosine, trianglesForAxis);
   Direction sum = {0.0F, 0.0F, 0.0F};
   for (const int t : order_) {
     const Direction n = normal(t);
@@ -190,7 +204,7 @@ Direction PatchGrower::axisAround(const PatchMesh& mesh, int seed, float minimum
   }
   giveBack(0);
   const Direction mean = unit(sum);
-  return faces(seed, mean, growthMinimum()) ? mean : own;
+  return faces(seed, mean, growthSquaredCosine()) ? mean : own;
 }
 
 void PatchGrower::findBorder(const PatchMesh& mesh, std::size_t count) {
@@ -321,11 +335,11 @@ void PatchGrower::keepPatches(const CollisionFreePatches& old, const std::vector
 }
 
 /// Grows a patch from a triangle, unless it belongs to one already.
-void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, float minimumForAxis,
+void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, float axisSquaredCosine,
                            CollisionFreePatches& patches) {
   if (owner_[seed] == freeTriangle) {
-    const Direction axis = axisAround(mesh, seed, minimumForAxis);
-    takeFrom(mesh, seed, axis, growthMinimum(), mesh.triangles.size());
+    const Direction axis = axisAround(mesh, seed, axisSquaredCosine);
+    takeFrom(mesh, seed, axis, growthSquaredCosine(), mesh.triangles.size());
     cutBack(mesh, positions, axis);
     add(mesh, axis, patches);
   }
@@ -333,7 +347,7 @@ void PatchGrower::growFrom(const PatchMesh& mesh, const PositionLanes& positions
 
 void PatchGrower::growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    growFrom(mesh, positions, static_cast<int>(t), growthMinimum(), patches);
+    growFrom(mesh, positions, static_cast<int>(t), growthSquaredCosine(), patches);
   }
   sortVertices(patches);
 }
@@ -343,32 +357,19 @@ void PatchGrower::grow(const PatchMesh& mesh, const PositionLanes& positions, Co
   growRest(mesh, positions, patches);
 }
 
-/// Marks the vertices whose triangles all belong to one patch.
-void markInside(const PatchMesh& mesh, const CollisionFreePatches& patches, std::vector<char>& inside) {
-  constexpr int unknown = -2;
-  std::vector<int> patchOf(static_cast<std::size_t>(mesh.vertices), unknown);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const int patch = patches.patchOfTriangle[t];
-    for (const int v : mesh.triangles[t]) {
-      patchOf[v] = patchOf[v] == unknown || patchOf[v] == patch ? patch : -1;
-    }
-  }
-  for (std::size_t v = 0; v < patchOf.size(); ++v) {
-    inside[v] = inside[v] != 0 || patchOf[v] >= 0 ? 1 : 0;
-  }
-}
-
 void PatchGrower::growAcrossBorders(const PatchMesh& mesh, const PositionLanes& positions,
                                     std::span<const std::shared_ptr<const CollisionFreePatches>> others,
                                     CollisionFreePatches& patches) {
   std::vector<char> inside(static_cast<std::size_t>(mesh.vertices), 0);
   for (const auto& each : others) {
-    markInside(mesh, *each, inside);
+    const std::vector<int> common = patchesAroundVertices(mesh.triangles, *each);
+    std::ranges::transform(inside, common, inside.begin(),
+                           [](char was, int patch) { return static_cast<char>(was != 0 || patch >= 0 ? 1 : 0); });
   }
   begin(mesh, positions, patches);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (std::ranges::any_of(mesh.triangles[t], [&](int v) { return inside[v] == 0; })) {
-      growFrom(mesh, positions, static_cast<int>(t), minimumAcrossFolds, patches);
+      growFrom(mesh, positions, static_cast<int>(t), squaredCosineAcrossFolds, patches);
     }
   }
 }

@@ -39,6 +39,10 @@ struct CollisionFreePatches {
   [[nodiscard]] int count() const { return static_cast<int>(patches.size()); }
 };
 
+/// The common patch of all triangles around each vertex; -1: there is none, -2: the vertex has no triangles.
+[[nodiscard]] std::vector<int> patchesAroundVertices(const std::vector<Triangle>& triangles,
+                                                     const CollisionFreePatches& patches);
+
 /// The data of a cloth's mesh for a partition.
 struct PatchMesh {
   std::vector<Triangle> triangles;
@@ -98,14 +102,15 @@ class PatchGrower {
  private:
   void begin(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
   void keepPatches(const CollisionFreePatches& old, const std::vector<char>& valid, CollisionFreePatches& patches);
-  void growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, float minimumForAxis,
+  void growFrom(const PatchMesh& mesh, const PositionLanes& positions, int seed, float axisSquaredCosine,
                 CollisionFreePatches& patches);
   void growRest(const PatchMesh& mesh, const PositionLanes& positions, CollisionFreePatches& patches);
-  [[nodiscard]] std::array<float, 3> axisAround(const PatchMesh& mesh, int seed, float minimum);
-  void takeFrom(const PatchMesh& mesh, int seed, const std::array<float, 3>& axis, float minimum, std::size_t maximum);
+  [[nodiscard]] std::array<float, 3> axisAround(const PatchMesh& mesh, int seed, float minSquaredCosine);
+  void takeFrom(const PatchMesh& mesh, int seed, const std::array<float, 3>& axis, float minSquaredCosine,
+                std::size_t maximum);
   [[nodiscard]] bool keepsDisc(const PatchMesh& mesh, int triangle) const;
   void take(const PatchMesh& mesh, int triangle);
-  [[nodiscard]] bool faces(int triangle, const std::array<float, 3>& axis, float minimum) const;
+  [[nodiscard]] bool faces(int triangle, const std::array<float, 3>& axis, float minSquaredCosine) const;
   [[nodiscard]] std::array<float, 3> normal(int triangle) const;
   void giveBack(std::size_t kept);
   void findBorder(const PatchMesh& mesh, std::size_t count);
