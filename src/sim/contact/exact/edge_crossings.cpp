@@ -35,13 +35,13 @@ void findCrossings(const FeatureMesh& mesh, MeshTree& tree, LeafBoxes& boxes, st
                    std::vector<EdgeCrossing>& crossings) {
   crossings.clear();
   tree.refit(positions, positions, mesh.triangles);
-  boxes.fit(mesh, positions, positions);
+  boxes.fit(positions, positions);
   boxes.setPatches(nullptr);
   std::vector<OverlappingBoxes> overlaps;
   for (std::size_t leaf = 0; leaf < tree.leafCount(); ++leaf) {
     const auto isLeftOut = [](std::size_t) { return false; };
     tree.forEachLeafFrom(leaf, isLeftOut, [&](std::size_t other) {
-      findOverlaps(boxes.triangles(), leaf, boxes.triangles(), other, overlaps);
+      findOverlaps(boxes.triangles(), leaf, boxes.triangles(), other, CommonVertices::Permitted, overlaps);
       for (const auto& [a, b] : overlaps) {
         addCrossings(mesh, positions, a, b, crossings);
         addCrossings(mesh, positions, b, a, crossings);

@@ -19,47 +19,39 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using BoxFloats = hn::CappedTag<float, maxLanes>;
 
-/// Which boxes of a vector from index `at` on overlap box i and belong to none of its patches, as a bit mask.
-HWY_INLINE std::uint32_t overlapsOf(const FeatureBoxes& first, int i, const FeatureBoxes& second, int at) {
-  const BoxFloats d;
-  const hn::RebindToSigned<BoxFloats> di;
-  auto overlap = hn::Ge(hn::Zero(d), hn::Zero(d));
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const auto low = hn::LoadU(d, second.low[axis].data() + at);
-    const auto high = hn::LoadU(d, second.high[axis].data() + at);
-    overlap = hn::And(
-        overlap, hn::And(hn::Le(low, hn::Set(d, first.high[axis][i])), hn::Ge(high, hn::Set(d, first.low[axis][i]))));
-  }
-  for (std::size_t k = 0; k < first.sets; ++k) {
-    const std::int32_t patch = first.patches[k].ofFeature[i];
-    const auto theirs = hn::LoadU(di, second.patches[k].ofFeature.data() + at);
-    const auto isSame = hn::Eq(theirs, hn::Set(di, patch >= 0 ? patch : -2));
-    overlap = hn::And(overlap, hn::Not(hn::RebindMask(d, isSame)));
-  }
+/// A bit mask of a vector's lanes.
+template <typename Mask>
+HWY_INLINE std::uint32_t bitsOf(Mask mask) {
   std::array<std::uint8_t, 8> bytes{};
-  hn::StoreMaskBits(d, overlap, bytes.data());
+  hn::StoreMaskBits(BoxFloats(), mask, bytes.data());
   return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
 }
 
-/// A leaf of features.
-struct Leaf {
-  const FeatureBoxes& boxes;
-  std::size_t index;
-
-  [[nodiscard]] int begin() const { return boxes.begin[index]; }
-  [[nodiscard]] int end() const { return boxes.begin[index] + boxes.count[index]; }
-
-  /// Whether all features of the leaf belong to one patch.
-  [[nodiscard]] bool isOfOnePatch() const {
-    const auto used = std::span(boxes.patches).first(boxes.sets);
-    return std::ranges::any_of(used, [this](const auto& patches) { return patches.ofLeaf[index] >= 0; });
+/// Which boxes of a block from a lane on overlap a box.
+HWY_INLINE auto overlapping(const LaneBox& box, const FeatureBlock& block, std::size_t lane) {
+  const BoxFloats d;
+  auto overlap = hn::Ge(hn::Zero(d), hn::Zero(d));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto low = hn::LoadU(d, block.low[axis].data() + lane);
+    const auto high = hn::LoadU(d, block.high[axis].data() + lane);
+    overlap =
+        hn::And(overlap, hn::And(hn::Le(low, hn::Set(d, box.high[axis])), hn::Ge(high, hn::Set(d, box.low[axis]))));
   }
+  return overlap;
+}
 
-  /// Whether all its features belong to a patch of feature i of other boxes.
-  [[nodiscard]] bool isInPatchOf(const FeatureBoxes& others, int i) const {
-    for (std::size_t k = 0; k < boxes.sets; ++k) {
-      const int patch = boxes.patches[k].ofLeaf[index];
-      if (patch >= 0 && patch == others.patches[k].ofFeature[i]) {
+/// A feature of the outer leaf.
+struct Feature {
+  const FeatureBlock& block;
+  std::size_t lane;
+
+  [[nodiscard]] LaneBox box() const {
+    return {{block.low[0][lane], block.low[1][lane], block.low[2][lane]},
+            {block.high[0][lane], block.high[1][lane], block.high[2][lane]}};
+  }
+  [[nodiscard]] bool isInPatchOf(const FeatureBoxes::Leaf& leaf, std::size_t sets) const {
+    for (std::size_t k = 0; k < sets; ++k) {
+      if (leaf.patches[k] >= 0 && leaf.patches[k] == block.patches[k][lane]) {
         return true;
       }
     }
@@ -67,38 +59,117 @@ struct Leaf {
   }
 };
 
-/// Calls take(i, k) for the overlapping boxes of different patches.
-template <typename Take>
-HWY_INLINE void forEachOverlap(const Leaf& outer, const Leaf& inner, Take&& take) {
-  const int lanes = static_cast<int>(hn::Lanes(BoxFloats()));
-  for (int i = outer.begin(); i < outer.end(); ++i) {
-    if (inner.isInPatchOf(outer.boxes, i)) {
-      continue;
+/// Which features of a block from a lane on belong to a patch of a feature.
+HWY_INLINE auto inSamePatch(const Feature& feature, std::size_t sets, const FeatureBlock& block, std::size_t lane) {
+  const BoxFloats d;
+  const hn::RebindToSigned<BoxFloats> di;
+  auto same = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (std::size_t k = 0; k < sets; ++k) {
+    const std::int32_t patch = feature.block.patches[k][feature.lane];
+    const auto theirs = hn::LoadU(di, block.patches[k].data() + lane);
+    same = hn::Or(same, hn::RebindMask(d, hn::Eq(theirs, hn::Set(di, patch >= 0 ? patch : -2))));
+  }
+  return same;
+}
+
+/// Which features of a block from a lane on have a vertex in common with a feature.
+HWY_INLINE auto withCommonVertex(const Feature& feature, const FeatureBlock& block, std::size_t lane) {
+  const BoxFloats d;
+  const hn::RebindToSigned<BoxFloats> di;
+  auto common = hn::Lt(hn::Zero(d), hn::Zero(d));
+  for (const auto& theirs : block.corners) {
+    const auto vertices = hn::LoadU(di, theirs.data() + lane);
+    for (const auto& own : feature.block.corners) {
+      common = hn::Or(common, hn::RebindMask(d, hn::Eq(vertices, hn::Set(di, own[feature.lane]))));
     }
-    for (int k = inner.begin(); k < inner.end(); k += lanes) {
-      for (std::uint32_t bits = overlapsOf(outer.boxes, i, inner.boxes, k); bits != 0; bits &= bits - 1) {
-        take(i, k + std::countr_zero(bits));
+  }
+  return common;
+}
+
+/// Calls take(feature, block, lane) for the features of a leaf that overlap a feature.
+template <CommonVertices common, typename Take>
+HWY_INLINE void forEachOverlapWith(const Feature& feature, std::span<const FeatureBlock> blocks, std::size_t sets,
+                                   Take&& take) {
+  const BoxFloats d;
+  const LaneBox box = feature.box();
+  for (const FeatureBlock& block : blocks) {
+    for (std::size_t lane = 0; lane < maxLanes; lane += hn::Lanes(d)) {
+      auto found = overlapping(box, block, lane);
+      if (hn::AllFalse(d, found)) {
+        continue;
+      }
+      found = hn::AndNot(inSamePatch(feature, sets, block, lane), found);
+      if (common == CommonVertices::LeftOut) {
+        found = hn::AndNot(withCommonVertex(feature, block, lane), found);
+      }
+      for (std::uint32_t bits = bitsOf(found); bits != 0; bits &= bits - 1) {
+        take(feature, block, lane + static_cast<std::size_t>(std::countr_zero(bits)));
       }
     }
   }
 }
 
-void overlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
-              std::vector<OverlappingBoxes>& found) {
-  const Leaf one{first, firstLeaf};
-  const Leaf other{second, secondLeaf};
-  const auto add = [&](int i, int k) { found.push_back({first.features[i], second.features[k]}); };
-  if (&first == &second && firstLeaf == secondLeaf) {
-    forEachOverlap(one, other, [&](int i, int k) {
-      if (k > i) {
-        add(i, k);
+/// A leaf of features.
+struct Leaf {
+  const FeatureBoxes& boxes;
+  const FeatureBoxes::Leaf& leaf;
+
+  [[nodiscard]] std::span<const FeatureBlock> blocks() const {
+    return {boxes.blocks.data() + leaf.firstBlock, leaf.blocks};
+  }
+  /// Whether all features of the leaf belong to one patch.
+  [[nodiscard]] bool isOfOnePatch() const {
+    const auto used = std::span(leaf.patches).first(boxes.sets);
+    return std::ranges::any_of(used, [](std::int32_t patch) { return patch >= 0; });
+  }
+};
+
+/// Calls take(feature, block, lane) for the overlapping boxes of different patches.
+template <CommonVertices common, typename Take>
+HWY_INLINE void forEachOverlap(const Leaf& outer, const Leaf& inner, Take&& take) {
+  const BoxFloats d;
+  const std::size_t sets = outer.boxes.sets;
+  for (const FeatureBlock& block : outer.blocks()) {
+    for (std::size_t lane = 0; lane < maxLanes; lane += hn::Lanes(d)) {
+      for (std::uint32_t near = bitsOf(overlapping(inner.leaf.box, block, lane)); near != 0; near &= near - 1) {
+        const Feature feature{block, lane + static_cast<std::size_t>(std::countr_zero(near))};
+        if (!feature.isInPatchOf(inner.leaf, sets)) {
+          forEachOverlapWith<common>(feature, inner.blocks(), sets, take);
+        }
+      }
+    }
+  }
+}
+
+template <CommonVertices common>
+HWY_INLINE void overlapsOf(const Leaf& one, const Leaf& other, std::vector<OverlappingBoxes>& found) {
+  const auto add = [&](const Feature& feature, const FeatureBlock& block, std::size_t lane) {
+    found.push_back({feature.block.features[feature.lane], block.features[lane]});
+  };
+  if (&one.leaf == &other.leaf) {
+    forEachOverlap<common>(one, other, [&](const Feature& feature, const FeatureBlock& block, std::size_t lane) {
+      if (&block > &feature.block || (&block == &feature.block && lane > feature.lane)) {
+        add(feature, block, lane);
       }
     });
   } else if (one.isOfOnePatch() && !other.isOfOnePatch()) {
     // Features of the outer leaf are skipped if they belong to the patch of the whole inner leaf.
-    forEachOverlap(other, one, [&](int k, int i) { add(i, k); });
+    forEachOverlap<common>(other, one, [&](const Feature& feature, const FeatureBlock& block, std::size_t lane) {
+      found.push_back({block.features[lane], feature.block.features[feature.lane]});
+    });
   } else {
-    forEachOverlap(one, other, add);
+    forEachOverlap<common>(one, other, add);
+  }
+}
+
+void overlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
+              CommonVertices common, std::vector<OverlappingBoxes>& found) {
+  const Leaf one{first, first.leaves[firstLeaf]};
+  const Leaf other{second, second.leaves[secondLeaf]};
+  if (common == CommonVertices::LeftOut) {
+    overlapsOf<CommonVertices::LeftOut>(one, other, found);
+  } else {
+    overlapsOf<CommonVertices::Permitted>(one, other, found);
   }
 }
 
@@ -111,9 +182,9 @@ namespace drape::sim::contact {
 HWY_EXPORT(overlaps);
 
 void findOverlaps(const FeatureBoxes& first, std::size_t firstLeaf, const FeatureBoxes& second, std::size_t secondLeaf,
-                  std::vector<OverlappingBoxes>& found) {
+                  CommonVertices common, std::vector<OverlappingBoxes>& found) {
   found.clear();
-  HWY_DYNAMIC_DISPATCH(overlaps)(first, firstLeaf, second, secondLeaf, found);
+  HWY_DYNAMIC_DISPATCH(overlaps)(first, firstLeaf, second, secondLeaf, common, found);
 }
 
 }  // namespace drape::sim::contact

@@ -31,9 +31,4 @@ struct FeatureMesh {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
 }
 
-/// Whether two edges have a common end.
-[[nodiscard]] inline bool shareEnd(const MeshEdge& first, const MeshEdge& second) {
-  return first.a == second.a || first.a == second.b || first.b == second.a || first.b == second.b;
-}
-
 }  // namespace drape::sim::contact

@@ -188,7 +188,7 @@ void PairSearch::fitBoxes() {
     high_[v] = positions_[v] + size;
   }
   tree_->tree.refit(low_, high_, mesh_->triangles);
-  tree_->boxes.fit(*mesh_, low_, high_);
+  tree_->boxes.fit(low_, high_);
 }
 
 /// Collects the pairs of a leaf's features with those of the same leaf and of later leaves.
@@ -215,27 +215,22 @@ void PairSearch::collectCandidates(std::size_t leaf, Candidates& candidates) con
 }
 
 void PairSearch::compareVertices(std::size_t leaf, std::size_t leafOfTriangles, Candidates& candidates) const {
-  findOverlaps(tree_->boxes.vertices(), leaf, tree_->boxes.triangles(), leafOfTriangles, candidates.overlaps);
+  findOverlaps(tree_->boxes.vertices(), leaf, tree_->boxes.triangles(), leafOfTriangles, CommonVertices::LeftOut,
+               candidates.overlaps);
   for (const auto& [v, t] : candidates.overlaps) {
-    const FeaturePair pair{v, t, false};
     const Triangle& triangle = mesh_->triangles[t];
-    if (!hasCorner(triangle, v)) {
-      candidates.vertices.pairs.push_back(pair);
-      candidates.vertices.lanes.add({v, triangle[0], triangle[1], triangle[2]});
-    }
+    candidates.vertices.pairs.push_back({v, t, false});
+    candidates.vertices.lanes.add({v, triangle[0], triangle[1], triangle[2]});
   }
 }
 
 void PairSearch::compareEdges(std::size_t first, std::size_t second, Candidates& candidates) const {
-  findOverlaps(tree_->boxes.edges(), first, tree_->boxes.edges(), second, candidates.overlaps);
+  findOverlaps(tree_->boxes.edges(), first, tree_->boxes.edges(), second, CommonVertices::LeftOut, candidates.overlaps);
   for (const auto& [e, f] : candidates.overlaps) {
-    const FeaturePair pair{e, f, true};
     const MeshEdge& one = mesh_->edges.edges[e];
     const MeshEdge& other = mesh_->edges.edges[f];
-    if (!shareEnd(one, other)) {
-      candidates.edges.pairs.push_back(pair);
-      candidates.edges.lanes.add({one.a, one.b, other.a, other.b});
-    }
+    candidates.edges.pairs.push_back({e, f, true});
+    candidates.edges.lanes.add({one.a, one.b, other.a, other.b});
   }
 }
 

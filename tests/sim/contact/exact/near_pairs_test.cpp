@@ -1,5 +1,6 @@
 #include "sim/contact/exact/near_pairs.hpp"
 
+#include "contact/exact/common_end.hpp"
 #include "sim/contact/closest_features/triangle_geometry.hpp"
 #include "sim/contact/exact/feature_patches.hpp"
 #include "test_meshes.hpp"
@@ -149,38 +150,103 @@ TEST(ComesWithin, isTrueForPairsThatComeCloserAndFalseForThoseThatStayFarther) {
   EXPECT_GT(farther, 100);
 }
 
-TEST(FeatureBoxes, findsAllOverlapsOfTwoLeavesAndOnlyThose) {
-  const auto model = buildClothModel(testing::sheet(9), 1.0, MassLumping::Uniform, {});
-  const FeatureMesh mesh = featureMeshOf(*model);
-  const MeshTree tree(model->restPositions, mesh.triangles, 8);
-  LeafBoxes boxes(mesh, tree);
-  std::mt19937 random(1);
-  std::vector<Vec3> low = model->restPositions;
-  std::vector<Vec3> high = low;
-  for (std::size_t v = 0; v < low.size(); ++v) {
-    high[v] += 0.1 * (randomPoint(random, 1.0) + Vec3::Ones());
+/// The boxes of a sheet, of random sizes.
+struct RandomBoxes {
+  RandomBoxes()
+      : model(buildClothModel(testing::sheet(9), 1.0, MassLumping::Uniform, {})),
+        mesh(featureMeshOf(*model)),
+        tree(model->restPositions, mesh.triangles, 8),
+        boxes(mesh, tree),
+        low(model->restPositions),
+        high(low) {
+    std::mt19937 random(1);
+    for (Vec3& corner : high) {
+      corner += 0.1 * (randomPoint(random, 1.0) + Vec3::Ones());
+    }
+    boxes.fit(low, high);
   }
-  boxes.fit(mesh, low, high);
-  const auto boxOf = [&](int v) { return Eigen::AlignedBox3d(low[v], high[v]); };
+
+  [[nodiscard]] Eigen::AlignedBox3d around(std::span<const int> vertices) const {
+    Eigen::AlignedBox3d box;
+    for (const int v : vertices) {
+      box.extend(Eigen::AlignedBox3d(low[v], high[v]));
+    }
+    return box;
+  }
+
+  std::shared_ptr<const ClothModel> model;
+  FeatureMesh mesh;
+  MeshTree tree;
+  LeafBoxes boxes;
+  std::vector<Vec3> low, high;
+};
+
+std::vector<int> featuresOf(const FeatureBoxes& boxes, std::size_t leaf) {
+  std::vector<int> features;
+  forEachFeature(boxes, boxes.leaves[leaf],
+                 [&](const FeatureBlock& block, std::size_t lane) { features.push_back(block.features[lane]); });
+  return features;
+}
+
+TEST(FeatureBoxes, findsAllOverlapsOfTwoLeavesAndOnlyThose) {
+  const RandomBoxes sheet;
   int found = 0;
-  for (std::size_t a = 0; a < tree.leafCount(); ++a) {
-    for (std::size_t b = 0; b < tree.leafCount(); ++b) {
-      std::vector<OverlappingBoxes> overlaps;
-      findOverlaps(boxes.vertices(), a, boxes.triangles(), b, overlaps);
+  int withoutCommon = 0;
+  for (std::size_t a = 0; a < sheet.tree.leafCount(); ++a) {
+    for (std::size_t b = 0; b < sheet.tree.leafCount(); ++b) {
       int expected = 0;
-      for (int i = 0; i < boxes.vertices().count[a]; ++i) {
-        for (const int t : tree.leaf(b)) {
-          const auto& [x, y, z] = mesh.triangles[t];
-          const int v = boxes.vertices().features[boxes.vertices().begin[a] + i];
-          const bool meets = boxOf(v).intersects(boxOf(x).merged(boxOf(y)).merged(boxOf(z)));
+      int expectedWithoutCommon = 0;
+      for (const int v : featuresOf(sheet.boxes.vertices(), a)) {
+        for (const int t : featuresOf(sheet.boxes.triangles(), b)) {
+          const bool meets = sheet.around({&v, 1}).intersects(sheet.around(sheet.mesh.triangles[t]));
           expected += meets ? 1 : 0;
+          expectedWithoutCommon += meets && !hasCorner(sheet.mesh.triangles[t], v) ? 1 : 0;
         }
       }
+      std::vector<OverlappingBoxes> overlaps;
+      findOverlaps(sheet.boxes.vertices(), a, sheet.boxes.triangles(), b, CommonVertices::Permitted, overlaps);
       EXPECT_EQ(static_cast<int>(overlaps.size()), expected);
+      findOverlaps(sheet.boxes.vertices(), a, sheet.boxes.triangles(), b, CommonVertices::LeftOut, overlaps);
+      EXPECT_EQ(static_cast<int>(overlaps.size()), expectedWithoutCommon);
       found += expected;
+      withoutCommon += expectedWithoutCommon;
     }
   }
   EXPECT_GT(found, 100);
+  EXPECT_GT(withoutCommon, 20);
+}
+
+TEST(FeatureBoxes, findsEdgesThatOverlapWithoutACommonEnd) {
+  const RandomBoxes sheet;
+  const auto endsOf = [&](int e) {
+    return std::array<int, 2>{sheet.mesh.edges.edges[e].a, sheet.mesh.edges.edges[e].b};
+  };
+  int found = 0;
+  for (std::size_t a = 0; a < sheet.tree.leafCount(); ++a) {
+    for (std::size_t b = a; b < sheet.tree.leafCount(); ++b) {
+      std::vector<std::array<int, 2>> expected;
+      for (const int e : featuresOf(sheet.boxes.edges(), a)) {
+        for (const int f : featuresOf(sheet.boxes.edges(), b)) {
+          const bool haveCommon = testing::shareEnd(sheet.mesh.edges.edges[e], sheet.mesh.edges.edges[f]);
+          const bool isFirst = a != b || e < f;
+          if (isFirst && !haveCommon && sheet.around(endsOf(e)).intersects(sheet.around(endsOf(f)))) {
+            expected.push_back({std::min(e, f), std::max(e, f)});
+          }
+        }
+      }
+      std::vector<OverlappingBoxes> overlaps;
+      findOverlaps(sheet.boxes.edges(), a, sheet.boxes.edges(), b, CommonVertices::LeftOut, overlaps);
+      std::vector<std::array<int, 2>> pairs;
+      for (const auto& [e, f] : overlaps) {
+        pairs.push_back({std::min(e, f), std::max(e, f)});
+      }
+      std::ranges::sort(pairs);
+      std::ranges::sort(expected);
+      EXPECT_EQ(pairs, expected);
+      found += static_cast<int>(expected.size());
+    }
+  }
+  EXPECT_GT(found, 20);
 }
 
 /// A reach that is longer than the edges of the sheets below, so that there are patches across borders [m].
@@ -261,7 +327,7 @@ TEST(PairSearch, listsExactlyTheNearPairsWithoutACommonPatch) {
   }
   for (int e = 0; e < static_cast<int>(mesh.edges.edges.size()); ++e) {
     for (int f = e + 1; f < static_cast<int>(mesh.edges.edges.size()); ++f) {
-      if (!shareEnd(mesh.edges.edges[e], mesh.edges.edges[f])) {
+      if (!testing::shareEnd(mesh.edges.edges[e], mesh.edges.edges[f])) {
         check({e, f, true});
       }
     }

@@ -1,5 +1,6 @@
 #include "sim/contact/exact/pair_guard.hpp"
 
+#include "contact/exact/common_end.hpp"
 #include "contact/exact/crossings_at_rest.hpp"
 #include "intersection/intersections.hpp"
 #include "test_meshes.hpp"
@@ -143,7 +144,7 @@ TEST(PairSearch, listsAllPairsWithinReachOnTheWholeWay) {
     for (int a = 0; a < static_cast<int>(mesh.edges.edges.size()); ++a) {
       for (int b = a + 1; b < static_cast<int>(mesh.edges.edges.size()); ++b) {
         const FeaturePair pair{a, b, true};
-        if (!shareEnd(mesh.edges.edges[a], mesh.edges.edges[b]) &&
+        if (!testing::shareEnd(mesh.edges.edges[a], mesh.edges.edges[b]) &&
             gapOf(verticesOf(mesh, pair), positions).distance < reach) {
           ++near;
           EXPECT_TRUE(isListed(pair));
