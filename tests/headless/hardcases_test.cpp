@@ -51,6 +51,14 @@ TEST(HardCasesCommand, runsCasesOfContactFromJitteredStarts) {
   }
   EXPECT_NE(rows[2]["figures"], rows[3]["figures"]);
   EXPECT_NE(outcome.output.find("contact_five_sheets, start 2"), std::string::npos) << outcome.output;
+
+  const auto alone = testFolder() / "start.json";
+  const Outcome again = headless(quick + "--case contact_five_sheets --solver xpbd --start 2 --json " + alone.string());
+  EXPECT_NE(again.output.find("contact_five_sheets, start 2"), std::string::npos) << again.output;
+  const auto rowsAlone = nlohmann::json::parse(readFile(alone))["hard_cases"];
+  ASSERT_EQ(rowsAlone.size(), 2U);
+  EXPECT_EQ(rowsAlone[1]["start"], 2);
+  EXPECT_EQ(rowsAlone[1]["figures"], rows[3]["figures"]);
 }
 
 TEST(HardCasesCommand, printsATableOfSolvers) {
@@ -68,6 +76,8 @@ TEST(HardCasesCommand, refusesWrongUse) {
   EXPECT_EQ(headless(quick + "--solver magic").status, 2);
   EXPECT_EQ(headless(quick + "--set magic=1").status, 2);
   EXPECT_EQ(headless(quick + "--max-seconds 0").status, 2);
+  EXPECT_EQ(headless(quick + "--start -1").status, 2);
+  EXPECT_EQ(headless(quick + "--start 1 --starts 2").status, 2);
   const Outcome outcome = headless(quick + "--json /nowhere/file.json");
   EXPECT_EQ(outcome.status, 1);
   EXPECT_NE(outcome.errors.find("/nowhere/file.json"), std::string::npos) << outcome.errors;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 namespace drape::app {
@@ -20,6 +21,7 @@ struct HardCasesArguments {
   std::vector<std::string> settings;
   bool shortForm = false;
   int starts = 0;
+  std::optional<int> start;
   bool markdown = false;
   double maxSeconds = 60.0;
   std::string json;
@@ -52,9 +54,17 @@ std::vector<const report::hardcases::HardCase*> casesOf(const HardCasesArguments
   return cases;
 }
 
-/// The number of starts of a case: its own, and the jittered ones.
-int startsOf(const HardCasesArguments& arguments, const report::hardcases::HardCase& one) {
-  return 1 + (one.contact ? arguments.starts : 0);
+/// The starts of a case: 0 is its own, the others are jittered. Only cases of contact have jittered starts.
+std::vector<int> startsOf(const HardCasesArguments& arguments, const report::hardcases::HardCase& one) {
+  if (!one.contact) {
+    return {0};
+  }
+  if (arguments.start) {
+    return {*arguments.start};
+  }
+  std::vector<int> starts(static_cast<std::size_t>(arguments.starts) + 1);
+  std::iota(starts.begin(), starts.end(), 0);
+  return starts;
 }
 
 /// Runs the cases with one solver. Returns the number of failures.
@@ -70,7 +80,8 @@ int runSolver(const HardCasesArguments& arguments, const std::vector<const repor
     std::cout << solver << '\n';
   }
   for (const report::hardcases::HardCase* one : cases) {
-    for (options.start = 0; options.start < startsOf(arguments, *one); ++options.start) {
+    for (const int start : startsOf(arguments, *one)) {
+      options.start = start;
       const report::hardcases::CaseResult result = report::hardcases::runHardCase(*one, options);
       const bool isFine = result.outcome == report::hardcases::CaseOutcome::Passed ||
                           result.outcome == report::hardcases::CaseOutcome::Refused;
@@ -105,9 +116,9 @@ void run(const HardCasesArguments& arguments) {
     file->write(report::ReportRow{{"hard_cases", rows}});
   }
   if (!failures.empty()) {
-    int runs = 0;
+    std::size_t runs = 0;
     for (const report::hardcases::HardCase* one : cases) {
-      runs += startsOf(arguments, *one);
+      runs += startsOf(arguments, *one).size();
     }
     throw messages::InputError("failed hard cases, of " + std::to_string(runs) + ": " + failures);
   }
@@ -133,10 +144,16 @@ void addHardCasesCommand(CLI::App& app) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command->add_flag("--short", arguments->shortForm, "Smaller cloths and shorter times");
-  command
-      ->add_option("--starts", arguments->starts,
-                   "Run cases of contact from so many jittered starts as well: vertices move by up to 1 % of an edge")
-      ->check(numberFrom(0, maxStarts));
+  CLI::Option* starts =
+      command
+          ->add_option(
+              "--starts", arguments->starts,
+              "Run cases of contact from so many jittered starts as well: vertices move by up to 1 % of an edge")
+          ->check(numberFrom(0, maxStarts));
+  command->add_option("--start", arguments->start, "Run cases of contact from this start only; 0: their own")
+      ->type_name("N")
+      ->check(numberFrom(0, maxStarts))
+      ->excludes(starts);
   command->add_flag("--markdown", arguments->markdown, "Print one table of all solvers (Markdown)");
   command->add_option("--max-seconds", arguments->maxSeconds, "Stop a case that takes longer than this [s]")
       ->check(numberFrom(0.01, longest));
