@@ -34,7 +34,7 @@ void addLeaf(FeatureBoxes& boxes) {
 /// Adds a feature to the last leaf.
 void addFeature(int feature, const std::array<int, 3>& corners, FeatureBoxes& boxes) {
   FeatureBoxes::Leaf& leaf = boxes.leaves.back();
-  const std::size_t lane = leaf.features++ % maxLanes;
+  const std::size_t lane = leaf.features++ % blockLanes;
   if (lane == 0) {
     addBlock(boxes);
     ++leaf.blocks;
@@ -106,6 +106,9 @@ LeafBoxes::LeafBoxes(const FeatureMesh& mesh, const MeshTree& tree) {
         addFeature(e, {a, b, b}, edges_);
       }
     }
+  }
+  for (FeatureBoxes* boxes : {&vertices_, &edges_, &triangles_}) {
+    boxes->blocks.shrink_to_fit();
   }
 }
 

@@ -11,10 +11,13 @@
 
 namespace drape::sim::contact {
 
+/// Number of features in a block. The triangles of a leaf fill one block.
+inline constexpr int blockLanes = 8;
+
 /// A vector of features of one kind. Entries without a feature have an empty box, which overlaps no other box.
 struct FeatureBlock {
   template <typename T>
-  using Lanes = std::array<T, maxLanes>;
+  using Lanes = std::array<T, blockLanes>;
 
   std::array<Lanes<float>, 3> low;   ///< of the bounding boxes, relative to an origin, rounded down [m]
   std::array<Lanes<float>, 3> high;  ///< rounded up [m]
@@ -44,7 +47,7 @@ struct FeatureBoxes {
 template <typename Boxes, typename Visit>
 void forEachFeature(Boxes& boxes, const FeatureBoxes::Leaf& leaf, Visit&& visit) {
   for (std::size_t i = 0; i < leaf.features; ++i) {
-    visit(boxes.blocks[leaf.firstBlock + i / maxLanes], i % maxLanes);
+    visit(boxes.blocks[leaf.firstBlock + i / blockLanes], i % blockLanes);
   }
 }
 

@@ -17,7 +17,7 @@ namespace drape::sim::contact::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using BoxFloats = hn::CappedTag<float, maxLanes>;
+using BoxFloats = hn::CappedTag<float, blockLanes>;
 
 /// A bit mask of a vector's lanes.
 template <typename Mask>
@@ -93,7 +93,7 @@ HWY_INLINE void forEachOverlapWith(const Feature& feature, std::span<const Featu
   const BoxFloats d;
   const LaneBox box = feature.box();
   for (const FeatureBlock& block : blocks) {
-    for (std::size_t lane = 0; lane < maxLanes; lane += hn::Lanes(d)) {
+    for (std::size_t lane = 0; lane < blockLanes; lane += hn::Lanes(d)) {
       auto found = overlapping(box, block, lane);
       if (hn::AllFalse(d, found)) {
         continue;
@@ -130,7 +130,7 @@ HWY_INLINE void forEachOverlap(const Leaf& outer, const Leaf& inner, Take&& take
   const BoxFloats d;
   const std::size_t sets = outer.boxes.sets;
   for (const FeatureBlock& block : outer.blocks()) {
-    for (std::size_t lane = 0; lane < maxLanes; lane += hn::Lanes(d)) {
+    for (std::size_t lane = 0; lane < blockLanes; lane += hn::Lanes(d)) {
       for (std::uint32_t near = bitsOf(overlapping(inner.leaf.box, block, lane)); near != 0; near &= near - 1) {
         const Feature feature{block, lane + static_cast<std::size_t>(std::countr_zero(near))};
         if (!feature.isInPatchOf(inner.leaf, sets)) {

@@ -27,6 +27,9 @@ int joined(int patch, int patchOfTriangle) {
 
 PatchLabels labelled(const FeatureMesh& mesh, std::shared_ptr<const CollisionFreePatches> patches) {
   PatchLabels labels{.patches = std::move(patches), .ofVertex = {}, .ofEdge = {}, .ofTriangle = {}};
+  if (labels.patches->count() == 0) {
+    return labels;
+  }
   labels.ofTriangle = labels.patches->patchOfTriangle;
   labels.ofVertex = patchesAroundVertices(mesh.triangles, *labels.patches);
   labels.ofEdge.assign(mesh.edges.edges.size(), unknown);
@@ -85,9 +88,6 @@ void PatchFinder::updateAcrossBorders(const PatchMesh& mesh, bool isFine, const 
       auto patches = std::make_shared<CollisionFreePatches>();
       if (isFine) {
         grower_.growAcrossBorders(mesh, positions_, std::span(sets).first(k + 1), *patches);
-      } else {
-        patches->patchOfVertex.assign(static_cast<std::size_t>(mesh.vertices), none);
-        patches->patchOfTriangle.assign(mesh.triangles.size(), none);
       }
       next.acrossBorders[k] = patches;
     }

@@ -15,6 +15,7 @@ namespace drape::sim::contact {
 struct PatchLabels {
   std::shared_ptr<const CollisionFreePatches> patches;
   /// The common patch of all triangles around a vertex or an edge, and the patch of a triangle; -1: there is none.
+  /// Empty if there are no patches.
   std::vector<int> ofVertex, ofEdge, ofTriangle;
 };
 

@@ -270,6 +270,9 @@ TEST(FeaturePatches, containOnlyFeaturesWhoseTrianglesAllBelongToThePatch) {
     const std::span<const int> around = model->vertexTriangles[v];
     bool isInOne = false;
     for (const PatchLabels& labels : *features) {
+      if (labels.patches->count() == 0) {
+        continue;
+      }
       const int first = labels.ofTriangle[around.front()];
       const bool same = std::all_of(around.begin(), around.end(), [&](int t) { return labels.ofTriangle[t] == first; });
       EXPECT_EQ(labels.ofVertex[v], same ? first : -1);
@@ -285,6 +288,9 @@ TEST(FeaturePatches, containOnlyFeaturesWhoseTrianglesAllBelongToThePatch) {
 /// Whether both features of a pair belong to a patch.
 bool haveCommonPatch(const FeaturePatches& sets, const FeaturePair& pair) {
   return std::ranges::any_of(sets, [&](const PatchLabels& labels) {
+    if (labels.patches->count() == 0) {
+      return false;
+    }
     const int first = pair.edges ? labels.ofEdge[pair.first] : labels.ofVertex[pair.first];
     const int second = pair.edges ? labels.ofEdge[pair.second] : labels.ofTriangle[pair.second];
     return first >= 0 && first == second;
@@ -350,7 +356,9 @@ TEST(FeaturePatches, acrossBordersContainTheFeaturesAtABorder) {
   int atBorders = 0;
   int inNone = 0;
   for (int v = 0; v < model->vertexCount(); ++v) {
-    const auto isOutside = [&](const PatchLabels& labels) { return labels.ofVertex[v] < 0; };
+    const auto isOutside = [&](const PatchLabels& labels) {
+      return labels.patches->count() == 0 || labels.ofVertex[v] < 0;
+    };
     atBorders += isOutside(features->front()) ? 1 : 0;
     inNone += std::ranges::all_of(*features, isOutside) ? 1 : 0;
   }
