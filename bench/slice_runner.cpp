@@ -15,7 +15,7 @@ SliceRunner<T>::SliceRunner(ModelPtr model, Method method, const sim::StepParame
       cloth_(*model_),
       step_(sim::simd::sliceStepOf<T>(parameters, parameters.jacobi)),
       start_(waving(*model_)),
-      threads_(sim::simd::usefulThreads(cloth_.layout, parameters.threads)) {
+      threads_(sim::simd::usefulThreads(cloth_.layout, cloth_.fabric.has_value(), parameters.threads)) {
   cloth_.prepare(threads_, step_.sweeps);
   restart();
 }

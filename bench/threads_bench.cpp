@@ -9,7 +9,7 @@ namespace drape::bench {
 void addThreadsGroup(Suite& suite) {
   constexpr int cores = 2;
   // The library determines the number of cores once. It must not do so while this thread is bound to one core.
-  static_cast<void>(sim::simd::usefulThreads({}, cores));
+  static_cast<void>(sim::simd::usefulThreads(sim::simd::SliceLayout{}, false, cores));
   for (const int n : {33, 65, 257, 1025}) {
     const int batch = std::clamp(4'000'000 / (n * n * 3), 4, 200);
     const std::string size = std::to_string(n) + "x" + std::to_string(n);
