@@ -35,7 +35,7 @@ struct FeatureBoxes {
     std::size_t features = 0;
     LaneBox box;  ///< around the boxes of its features [m]
     /// The common patch of all features of the leaf, for each set; -1: there is none.
-    std::array<std::int32_t, patchSets> patches;
+    std::array<std::int32_t, patchSets> patches{};
   };
 
   std::vector<FeatureBlock> blocks;
