@@ -10,7 +10,7 @@ namespace drape::report::sections {
 namespace {
 
 /// Target of body contact for 1,000 triangles in a step, on one core [us].
-constexpr double target = 300.0;
+constexpr double target = 150.0;
 
 bool hasHash(const ReportRow& row) {
   const std::string mode = row.value("mode", "");
