@@ -24,7 +24,8 @@ template <typename Mask>
 HWY_INLINE std::uint32_t bitsOf(Mask mask) {
   std::array<std::uint8_t, 8> bytes{};
   hn::StoreMaskBits(BoxFloats(), mask, bytes.data());
-  return static_cast<std::uint32_t>(bytes[0]) | static_cast<std::uint32_t>(bytes[1]) << 8U;
+  static_assert(blockLanes <= 8, "the first byte has the bits of all lanes");
+  return bytes[0];
 }
 
 /// Which boxes of a block from a lane on overlap a box.
