@@ -9,9 +9,6 @@
 namespace drape::report::sections {
 namespace {
 
-/// Target of body contact for 1,000 triangles in a step, on one core [us].
-constexpr double target = 150.0;
-
 bool hasHash(const ReportRow& row) {
   const std::string mode = row.value("mode", "");
   return mode.size() >= 4 && mode.ends_with("hash");
@@ -90,8 +87,8 @@ std::string aboutBodies(const ReportRows& rows) {
                          ? "No cloth triangle ever intersected a body triangle. "
                          : "The cloth intersected a body; the maximum number of pairs at once was: " + through + ". ";
   const char* const costKey = "bodies_us_per_1000_triangles";
-  const std::string dear = listOf(worstFirst(rows, costKey, hasBodies), costKey, target);
-  text += "The target is at most " + text::figure(target) + " us for 1,000 triangles in a step; ";
+  const std::string dear = listOf(worstFirst(rows, costKey, hasBodies), costKey, targetOfBodyContact);
+  text += "The target is at most " + text::figure(targetOfBodyContact) + " us for 1,000 triangles in a step; ";
   return text + (dear.empty() ? "all scenes meet it." : "these are above it: " + dear + ".");
 }
 
