@@ -5,33 +5,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <iterator>
-#include <numeric>
 
 namespace drape::sim::adaptive {
-namespace {
-
-/// Relative change of an impulse that counts as converged. Friction that has not converged acts like a viscous force:
-/// cloth would creep and never come to rest.
-constexpr double converged = 0.001;
-
-/// Maximum number of sweeps over the contacts of an island in a substep. Slow layers that lie on each other need more.
-constexpr int maxSweeps = 6;
-constexpr int maxSweepsOfSlow = 60;
-constexpr double slowSpeed = 0.1;  // [m/s]
-
-/// A contact that slips more slowly than this still has the static coefficient. Substeps are so short that rounding and
-/// vibrations of stiff cloth move a vertex at rest by as much as its weight does. With the kinetic coefficient it would
-/// never come to rest again. The coefficient of real friction falls to the kinetic one in the same range of speeds
-/// (Stribeck's curve). Larger: cloth begins to slide later.
-constexpr double slowSlip = 5e-3;  // [m/s]
-
-/// Maximum ratio of the speed that contact gives a vertex to the speed of the fastest body or pin [-].
-constexpr double speedRatio = 3.0;
-constexpr double harmlessSpeed = 2.0;  // the limit is at least this [m/s]
-
-}  // namespace
 
 template <typename T>
 void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedCloth<T>& cloth) {
@@ -57,7 +33,7 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
       slots_[i] = vertices_.size();
       const auto mass = static_cast<double>(cloth.mass.data()[i]);
       const bool isFree = cloth.free.data()[i] != T(0);
-      vertices_.push_back({.index = static_cast<int>(i), .mass = mass, .inverseMass = isFree ? 1.0 / mass : 0.0});
+      vertices_.push_back({.inverseMass = isFree ? 1.0 / mass : 0.0, .mass = mass, .index = static_cast<int>(i)});
     }
   }
   for (std::size_t i = 0; i < inputs.contacts->size(); ++i) {
@@ -71,12 +47,12 @@ void ContactImpulses<T>::prepare(const StepInputs& inputs, const simd::SlicedClo
 template <typename T>
 void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
                                     const simd::SlicedCloth<T>& cloth) {
-  Contact contact{.normal = from.normal,
-                  .isFeaturePair = from.isFeaturePair,
-                  .staticFriction = from.staticFriction,
-                  .kineticFriction = from.kineticFriction,
-                  .restGap = from.restGap,
-                  .source = source};
+  ImpulseContact contact{.normal = from.normal,
+                         .isFeaturePair = from.isFeaturePair,
+                         .restGap = from.restGap,
+                         .staticFriction = from.staticFriction,
+                         .kineticFriction = from.kineticFriction,
+                         .source = source};
   double total = 0.0;
   for (std::size_t c = 0; c < from.weights.size(); ++c) {
     const double weight = from.weights[c];
@@ -90,7 +66,6 @@ void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t sour
   }
   contact.height = from.height - total * from.normal.dot(cloth.origin);
   contact.bodyVelocity = from.bodyVelocity - total * frameVelocity;
-  contact.normalSpeed = from.normal.dot(contact.bodyVelocity);
   if (contact.inverseMass > 0.0) {
     coupled_.push_back(contact);
   }
@@ -99,22 +74,22 @@ void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t sour
 template <typename T>
 void ContactImpulses<T>::separateCoupled() {
   contactCount_.assign(vertices_.size(), 0);
-  for (const Contact& contact : coupled_) {
+  for (const ImpulseContact& contact : coupled_) {
     for (std::size_t c = 0; c < contact.count; ++c) {
       ++contactCount_[contact.vertices[c]];
     }
   }
-  const auto isSingle = [&](const Contact& contact) {
+  const auto isSingle = [&](const ImpulseContact& contact) {
     return contact.count == 1 && contactCount_[contact.vertices[0]] == 1;
   };
   std::ranges::copy_if(coupled_, std::back_inserter(single_), isSingle);
   std::erase_if(coupled_, isSingle);
-  std::ranges::sort(single_, {}, [](const Contact& contact) { return contact.vertices[0]; });
+  std::ranges::sort(single_, {}, [](const ImpulseContact& contact) { return contact.vertices[0]; });
 }
 
 /// A vertex of a contact that is not pinned. Every contact has one.
 template <typename T>
-std::size_t ContactImpulses<T>::freeVertexOf(const Contact& contact) const {
+std::size_t ContactImpulses<T>::freeVertexOf(const ImpulseContact& contact) const {
   return *std::ranges::find_if(contact.vertices, [&](std::size_t v) { return vertices_[v].inverseMass > 0.0; });
 }
 
@@ -123,7 +98,7 @@ std::size_t ContactImpulses<T>::freeVertexOf(const Contact& contact) const {
 template <typename T>
 void ContactImpulses<T>::findIslands() {
   DisjointSets sets(vertices_.size());
-  for (const Contact& contact : coupled_) {
+  for (const ImpulseContact& contact : coupled_) {
     const auto free = static_cast<int>(freeVertexOf(contact));
     forEachFreeVertex(contact, [&](std::uint32_t v) { sets.join(free, static_cast<int>(v)); });
   }
@@ -156,30 +131,35 @@ void ContactImpulses<T>::findIslands() {
 template <typename T>
 void ContactImpulses<T>::listIslands(const RaggedRows<std::uint32_t>& contacts,
                                      const RaggedRows<std::uint32_t>& vertices) {
-  std::span<Contact> restOfContacts(coupled_);
+  std::span<ImpulseContact> restOfContacts(coupled_);
   std::span<const std::uint32_t> restOfVertices(coupledVertices_);
+  near_.resize(coupled_.size());
+  std::span<std::uint32_t> restOfNear(near_);
   for (std::size_t island = 0; island < contacts.rowCount(); ++island) {
     if (contacts[island].empty()) {
       continue;
     }
-    const std::span<Contact> own = restOfContacts.first(contacts[island].size());
-    islands_.push_back(
-        {own, restOfVertices.first(vertices[island].size()), std::ranges::any_of(own, &Contact::isFeaturePair)});
+    const std::span<ImpulseContact> own = restOfContacts.first(contacts[island].size());
+    islands_.push_back({.contacts = own,
+                        .vertices = restOfVertices.first(vertices[island].size()),
+                        .near = restOfNear.first(own.size()),
+                        .hasFeaturePairs = std::ranges::any_of(own, &ImpulseContact::isFeaturePair)});
     restOfContacts = restOfContacts.subspan(contacts[island].size());
     restOfVertices = restOfVertices.subspan(vertices[island].size());
+    restOfNear = restOfNear.subspan(own.size());
   }
 }
 
 template <typename T>
-std::span<typename ContactImpulses<T>::Vertex> ContactImpulses<T>::verticesOf(const simd::StepShare& share) {
-  const auto first = std::ranges::lower_bound(vertices_, share.begin * simd::sliceLanes, {}, &Vertex::index);
-  const auto last = std::ranges::lower_bound(vertices_, share.end * simd::sliceLanes, {}, &Vertex::index);
+std::span<ContactVertex> ContactImpulses<T>::verticesOf(const simd::StepShare& share) {
+  const auto first = std::ranges::lower_bound(vertices_, share.begin * simd::sliceLanes, {}, &ContactVertex::index);
+  const auto last = std::ranges::lower_bound(vertices_, share.end * simd::sliceLanes, {}, &ContactVertex::index);
   return {first, last};
 }
 
 template <typename T>
 typename ContactImpulses<T>::IslandRange ContactImpulses<T>::islandsOf(const simd::StepShare& share) const {
-  const auto firstVertex = [&](const Island& island) { return vertices_[island.vertices.front()].index; };
+  const auto firstVertex = [&](const ContactIsland& island) { return vertices_[island.vertices.front()].index; };
   const auto first = std::ranges::lower_bound(islands_, share.begin * simd::sliceLanes, {}, firstVertex);
   const auto last = std::ranges::lower_bound(islands_, share.end * simd::sliceLanes, {}, firstVertex);
   return {static_cast<std::size_t>(first - islands_.begin()), static_cast<std::size_t>(last - islands_.begin())};
@@ -187,7 +167,7 @@ typename ContactImpulses<T>::IslandRange ContactImpulses<T>::islandsOf(const sim
 
 template <typename T>
 void ContactImpulses<T>::start(const simd::SlicedCloth<T>& cloth, const simd::StepShare& share) {
-  for (Vertex& vertex : verticesOf(share)) {
+  for (ContactVertex& vertex : verticesOf(share)) {
     vertex.before = simd::laneVector(cloth.velocity, vertex.index);
   }
 }
@@ -195,21 +175,23 @@ void ContactImpulses<T>::start(const simd::SlicedCloth<T>& cloth, const simd::St
 template <typename T>
 void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, double drift,
                                      const simd::StepShare& share) {
-  const std::span<Vertex> own = verticesOf(share);
-  for (Vertex& vertex : own) {
+  const std::span<ContactVertex> own = verticesOf(share);
+  for (ContactVertex& vertex : own) {
+    vertex.position = simd::laneVector(cloth.position, vertex.index);
     vertex.velocity = vertex.afterKick = simd::laneVector(cloth.velocity, vertex.index);
+    vertex.changes = 0.0;
   }
   const auto [firstIsland, lastIsland] = islandsOf(share);
   std::fill(taken_.begin() + firstIsland, taken_.begin() + lastIsland, static_cast<unsigned char>(0));
   const auto begin = static_cast<std::size_t>(own.data() - vertices_.data());
-  const auto vertexOf = [](const Contact& contact) { return contact.vertices[0]; };
+  const auto vertexOf = [](const ImpulseContact& contact) { return contact.vertices[0]; };
   const auto first = std::ranges::lower_bound(single_, begin, {}, vertexOf);
   const auto last = std::ranges::lower_bound(single_, begin + own.size(), {}, vertexOf);
   for (auto contact = first; contact != last; ++contact) {
     contact->normalImpulse = 0.0;
     contact->friction = Vec3::Zero();
-    contact->minSpeed = minSpeedOf(cloth, time, drift, *contact);
-    solve(*contact);
+    contact->minSpeed = minSpeedOf(*contact, vertices_, {time, drift});
+    solveContact(*contact, vertices_);
     if (contact->normalImpulse > 0.0) {
       contact->impulse += contact->normalImpulse * contact->normal + contact->friction;
       write(vertices_[contact->vertices[0]], drift, cloth);
@@ -223,13 +205,13 @@ void ContactImpulses<T>::applyCoupled(simd::SlicedCloth<T>& cloth, double time, 
   const auto [first, last] = islandsOf(share);
   for (std::size_t i = first; i < last; ++i) {
     if (take(i)) {
-      applyIsland(islands_[i], time, drift, cloth);
+      applyIsland(islands_[i], {time, drift}, cloth);
     }
   }
   // The islands of other threads, backwards, since their threads take them forwards.
   for (std::size_t i = islands_.size(); i > 0; --i) {
     if (take(i - 1)) {
-      applyIsland(islands_[i - 1], time, drift, cloth);
+      applyIsland(islands_[i - 1], {time, drift}, cloth);
     }
   }
 }
@@ -243,158 +225,24 @@ bool ContactImpulses<T>::take(std::size_t island) {
 }
 
 template <typename T>
-void ContactImpulses<T>::applyIsland(const Island& island, double time, double drift, simd::SlicedCloth<T>& cloth) {
-  for (Contact& contact : island.contacts) {
-    contact.minSpeed = minSpeedOf(cloth, time, drift, contact);
-  }
-  solveIsland(island);
-  limitSpeeds(island);
+void ContactImpulses<T>::applyIsland(ContactIsland& island, const Drift& drift, simd::SlicedCloth<T>& cloth) {
+  solveIsland(island, vertices_, drift);
   for (const std::size_t v : island.vertices) {
-    write(vertices_[v], drift, cloth);
-  }
-}
-
-/// Bodies or pins that close like scissors would push vertices out of the gap at any speed. So contact may not give a
-/// vertex a higher speed than `harmlessSpeed`, the speed of the fastest vertex before, or `speedRatio` times that of
-/// the fastest body or pin, whichever is the highest. Contact that does not increase the kinetic energy of the island
-/// has no limit, since it only passes on the motion of the cloth. Neither has contact without moving bodies and pins,
-/// which adds no energy.
-template <typename T>
-void ContactImpulses<T>::limitSpeeds(const Island& island) {
-  double before = 0.0;  // squared
-  double after = 0.0;   // squared
-  double gained = 0.0;  // twice the kinetic energy
-  for (const std::size_t v : island.vertices) {
-    const double squaredBefore = vertices_[v].afterKick.squaredNorm();
-    const double squaredAfter = vertices_[v].velocity.squaredNorm();
-    before = std::max(before, squaredBefore);
-    after = std::max(after, squaredAfter);
-    gained += vertices_[v].mass * (squaredAfter - squaredBefore);
-  }
-  if (after <= before || gained <= 0.0) {
-    return;
-  }
-  const double ofObstacles = squaredSpeedOfObstacles(island);
-  const double limit = std::max({before, speedRatio * speedRatio * ofObstacles, harmlessSpeed * harmlessSpeed});
-  if (ofObstacles == 0.0 || after <= limit) {
-    return;
-  }
-  for (const std::size_t v : island.vertices) {
-    const double squared = vertices_[v].velocity.squaredNorm();
-    if (squared > limit) {
-      vertices_[v].velocity *= std::sqrt(limit / squared);
-    }
-  }
-  for (Contact& contact : island.contacts) {
-    contact.normalImpulse = 0.0;
-    contact.friction = Vec3::Zero();
-  }
-}
-
-/// The maximum of the bodies and the pins [m^2/s^2]; 0 if none moves.
-template <typename T>
-double ContactImpulses<T>::squaredSpeedOfObstacles(const Island& island) const {
-  double squared = 0.0;
-  for (const Contact& contact : island.contacts) {
-    const bool isWithBody = std::accumulate(contact.weights.begin(), contact.weights.end(), 0.0) > 0.5;
-    squared = std::max(squared, isWithBody ? contact.bodyVelocity.squaredNorm() : 0.0);
-    for (std::size_t c = 0; c < contact.count; ++c) {
-      const Vertex& vertex = vertices_[contact.vertices[c]];
-      squared = std::max(squared, vertex.inverseMass > 0.0 ? 0.0 : vertex.afterKick.squaredNorm());
-    }
-  }
-  return squared;
-}
-
-template <typename T>
-bool ContactImpulses<T>::isSlow(const Island& island) const {
-  return std::ranges::all_of(island.vertices,
-                             [&](std::size_t v) { return vertices_[v].before.squaredNorm() < slowSpeed * slowSpeed; });
-}
-
-template <typename T>
-void ContactImpulses<T>::solveIsland(const Island& island) {
-  for (const Contact& contact : island.contacts) {
-    if (contact.normalImpulse > 0.0) {
-      apply(contact.normalImpulse * contact.normal + contact.friction, contact);
-    }
-  }
-  const int sweeps = island.hasFeaturePairs && isSlow(island) ? maxSweepsOfSlow : maxSweeps;
-  bool changes = true;
-  for (int sweep = 0; sweep < sweeps && changes; ++sweep) {
-    changes = false;
-    for (Contact& contact : island.contacts) {
-      changes = solve(contact) || changes;
-    }
-  }
-  for (Contact& contact : island.contacts) {
-    contact.impulse += contact.normalImpulse * contact.normal + contact.friction;
-  }
-}
-
-/// The lower bound of the normal velocity of a contact [m/s]. It does not depend on the impulses of the substep.
-template <typename T>
-double ContactImpulses<T>::minSpeedOf(const simd::SlicedCloth<T>& cloth, double time, double drift,
-                                      const Contact& contact) const {
-  double gapAtEnd = -contact.height - contact.normalSpeed * time;
-  double along = -contact.normalSpeed;
-  for (std::size_t c = 0; c < contact.count; ++c) {
-    const Vertex& vertex = vertices_[contact.vertices[c]];
-    gapAtEnd += contact.weights[c] * contact.normal.dot(simd::laneVector(cloth.position, vertex.index));
-    along += contact.weights[c] * contact.normal.dot(vertex.afterKick);
-  }
-  const double gap = gapAtEnd - drift * along;
-  return gap > contact.restGap ? -gap / drift : 0.0;
-}
-
-/// Changes the impulse of a contact in a substep so that the contact is satisfied.
-/// @return whether the impulse has changed noticeably
-template <typename T>
-bool ContactImpulses<T>::solve(Contact& contact) {
-  Vec3 relative = -contact.bodyVelocity;
-  for (std::size_t c = 0; c < contact.count; ++c) {
-    relative += contact.weights[c] * vertices_[contact.vertices[c]].velocity;
-  }
-  const double along = contact.normal.dot(relative);
-  if (contact.normalImpulse == 0.0 && !(along < contact.minSpeed)) {
-    return false;
-  }
-  const double normal = std::max(0.0, contact.normalImpulse + (contact.minSpeed - along) / contact.inverseMass);
-  Vec3 friction = contact.friction - (relative - along * contact.normal) / contact.inverseMass;
-  const double size = friction.norm();
-  const double sticking = contact.staticFriction * normal;
-  if (size > sticking) {
-    const bool isSlow = (size - sticking) * contact.inverseMass < slowSlip;
-    friction *= (isSlow ? sticking : contact.kineticFriction * normal) / size;
-  }
-  const Vec3 change = (normal - contact.normalImpulse) * contact.normal + friction - contact.friction;
-  apply(change, contact);
-  contact.normalImpulse = normal;
-  contact.friction = friction;
-  return change.squaredNorm() > converged * converged * normal * normal;
-}
-
-template <typename T>
-void ContactImpulses<T>::apply(const Vec3& impulse, const Contact& contact) {
-  for (std::size_t c = 0; c < contact.count; ++c) {
-    Vertex& vertex = vertices_[contact.vertices[c]];
-    if (vertex.inverseMass > 0.0) {  // islands of other threads may read pinned vertices
-      vertex.velocity += contact.weights[c] * vertex.inverseMass * impulse;
-    }
+    write(vertices_[v], drift.duration, cloth);
   }
 }
 
 /// Writes the velocity of a vertex, and the position as if the impulses had acted before the drift.
 template <typename T>
-void ContactImpulses<T>::write(const Vertex& vertex, double drift, simd::SlicedCloth<T>& cloth) {
-  const Vec3 position = simd::laneVector(cloth.position, vertex.index) + drift * (vertex.velocity - vertex.afterKick);
+void ContactImpulses<T>::write(const ContactVertex& vertex, double drift, simd::SlicedCloth<T>& cloth) {
+  const Vec3 position = vertex.position + drift * (vertex.velocity - vertex.afterKick);
   simd::setLaneVector(cloth.velocity, vertex.index, vertex.velocity);
   simd::setLaneVector(cloth.position, vertex.index, position);
 }
 
 template <typename T>
 void ContactImpulses<T>::addWork(const simd::StepShare& share) {
-  for (Vertex& vertex : verticesOf(share)) {
+  for (ContactVertex& vertex : verticesOf(share)) {
     vertex.work += 0.5 * vertex.mass * (vertex.velocity - vertex.afterKick).dot(vertex.before + vertex.velocity);
     vertex.before = vertex.velocity;
   }
@@ -403,7 +251,7 @@ void ContactImpulses<T>::addWork(const simd::StepShare& share) {
 template <typename T>
 double ContactImpulses<T>::work() const {
   double sum = 0.0;
-  for (const Vertex& vertex : vertices_) {
+  for (const ContactVertex& vertex : vertices_) {
     sum += vertex.work;
   }
   return sum;
@@ -411,8 +259,8 @@ double ContactImpulses<T>::work() const {
 
 template <typename T>
 void ContactImpulses<T>::store(std::vector<SubstepContact>& contacts) const {
-  for (const std::vector<Contact>* list : {&single_, &coupled_}) {
-    for (const Contact& contact : *list) {
+  for (const std::vector<ImpulseContact>* list : {&single_, &coupled_}) {
+    for (const ImpulseContact& contact : *list) {
       contacts[contact.source].impulse = contact.impulse;
     }
   }

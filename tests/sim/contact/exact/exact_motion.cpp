@@ -84,7 +84,7 @@ std::vector<RealPoint> directionsAt(const PairMotion& motion, double time) {
     at[k] = offsetAt(motion, k, time).cast<double>();
   }
   const auto& [a, b, c, d] = at;
-  std::vector<Vec3> found = {gapOf({{0, 1, 2, 3}, motion.firstCount}, at).normal};
+  std::vector<Vec3> found = {contact::gapOf({{0, 1, 2, 3}, motion.firstCount}, at).normal};
   if (motion.firstCount == 2) {
     found.emplace_back((b - a).cross(d - c));
     found.emplace_back((b - a).cross(c - a).cross(b - a));
