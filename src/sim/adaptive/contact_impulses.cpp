@@ -48,8 +48,8 @@ template <typename T>
 void ContactImpulses<T>::addContact(const SubstepContact& from, std::size_t source, const Vec3& frameVelocity,
                                     const simd::SlicedCloth<T>& cloth) {
   ImpulseContact contact{.normal = from.normal,
+                         .restGap = static_cast<float>(from.restGap),
                          .isFeaturePair = from.isFeaturePair,
-                         .restGap = from.restGap,
                          .staticFriction = from.staticFriction,
                          .kineticFriction = from.kineticFriction,
                          .source = source};
@@ -179,7 +179,6 @@ void ContactImpulses<T>::applySingle(simd::SlicedCloth<T>& cloth, double time, d
   for (ContactVertex& vertex : own) {
     vertex.position = simd::laneVector(cloth.position, vertex.index);
     vertex.velocity = vertex.afterKick = simd::laneVector(cloth.velocity, vertex.index);
-    vertex.changes = 0.0;
   }
   const auto [firstIsland, lastIsland] = islandsOf(share);
   std::fill(taken_.begin() + firstIsland, taken_.begin() + lastIsland, static_cast<unsigned char>(0));

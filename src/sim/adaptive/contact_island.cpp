@@ -29,7 +29,8 @@ constexpr double harmlessSpeed = 2.0;  // the limit is at least this [m/s]
 /// The margin of the next list is this multiple of the change that the last list allowed for. Larger: longer lists,
 /// fewer complete sweeps.
 constexpr double marginRatio = 2.0;
-constexpr double rounding = 1e-9;  // [m/s]
+constexpr double minMargin = 1e-6;      // [m/s]
+constexpr double usableMargin = 0.999;  // the rest is for rounding
 
 Vec3 relativeVelocityOf(const ImpulseContact& contact, std::span<const ContactVertex> vertices) {
   Vec3 relative = -contact.bodyVelocity;
@@ -40,13 +41,41 @@ Vec3 relativeVelocityOf(const ImpulseContact& contact, std::span<const ContactVe
 }
 
 /// Applies an impulse to the vertices of a contact.
-void apply(const Vec3& impulse, const ImpulseContact& contact, std::span<ContactVertex> vertices) {
+/// @return upper bound of the changes of their velocities since the last complete sweep [m/s]
+double apply(const Vec3& impulse, const ImpulseContact& contact, std::span<ContactVertex> vertices) {
+  const double size = impulse.lpNorm<1>();  // at least the length
+  double changes = 0.0;
   for (std::size_t c = 0; c < contact.count; ++c) {
     ContactVertex& vertex = vertices[contact.vertices[c]];
     if (vertex.inverseMass > 0.0) {  // islands of other threads may read pinned vertices
-      vertex.velocity += contact.weights[c] * vertex.inverseMass * impulse;
+      const double perImpulse = contact.weights[c] * vertex.inverseMass;
+      vertex.velocity += perImpulse * impulse;
+      vertex.changes += std::abs(perImpulse) * size;
+      changes = std::max(changes, vertex.changes);
     }
   }
+  return changes;
+}
+
+/// @param relative velocity of the point relative to the body [m/s]
+SolvedContact solveAt(const Vec3& relative, ImpulseContact& contact, std::span<ContactVertex> vertices) {
+  const double along = contact.normal.dot(relative);
+  if (contact.normalImpulse == 0.0 && !(along < contact.minSpeed)) {
+    return {};
+  }
+  const double normal = std::max(0.0, contact.normalImpulse + (contact.minSpeed - along) / contact.inverseMass);
+  Vec3 friction = contact.friction - (relative - along * contact.normal) / contact.inverseMass;
+  const double size = friction.norm();
+  const double sticking = contact.staticFriction * normal;
+  if (size > sticking) {
+    const bool isSlow = (size - sticking) * contact.inverseMass < slowSlip;
+    friction *= (isSlow ? sticking : contact.kineticFriction * normal) / size;
+  }
+  const Vec3 change = (normal - contact.normalImpulse) * contact.normal + friction - contact.friction;
+  const double changes = apply(change, contact, vertices);
+  contact.normalImpulse = normal;
+  contact.friction = friction;
+  return {change.squaredNorm() > converged * converged * normal * normal, changes};
 }
 
 bool isSlow(const ContactIsland& island, std::span<const ContactVertex> vertices) {
@@ -75,9 +104,7 @@ class Sweeps {
     if (isListValid_) {
       return sweepOverListed();
     }
-    forgetChanges();
-    isListValid_ = true;
-    island_.nearCount = 0;
+    beginCompleteSweep();
     return sweepOverAll(0);
   }
 
@@ -96,22 +123,24 @@ class Sweeps {
   /// Upper bound of the change of a relative velocity since the last complete sweep began [m/s]: two sides move.
   [[nodiscard]] double relativeChange() const { return 2.0 * change_; }
 
-  void forgetChanges() {
-    if (change_ > 0.0) {
-      largestChange_ = std::max(largestChange_, relativeChange());
-      island_.margin = std::max(island_.margin, marginRatio * largestChange_);
-      for (const std::uint32_t v : island_.vertices) {
-        vertices_[v].changes = 0.0;
-      }
-      change_ = 0.0;
+  void beginCompleteSweep() {
+    largestChange_ = std::max(largestChange_, relativeChange());
+    island_.margin = std::max({island_.margin, marginRatio * largestChange_, minMargin});
+    for (const std::uint32_t v : island_.vertices) {
+      vertices_[v].changes = 0.0;
     }
+    change_ = 0.0;
+    maxChange_ = usableMargin * island_.margin / 2.0;
+    isListValid_ = true;
+    island_.nearCount = 0;
   }
 
   bool sweepOverListed() {
     bool changes = false;
     for (std::size_t k = 0; k < island_.nearCount; ++k) {
       const std::uint32_t i = island_.near[k];
-      changes = solve(island_.contacts[i]) || changes;
+      ImpulseContact& contact = island_.contacts[i];
+      changes = solve(contact, relativeVelocityOf(contact, vertices_)) || changes;
       if (!isListValid_) {
         island_.nearCount = k + 1;
         return sweepOverAll(i + 1) || changes;
@@ -126,39 +155,23 @@ class Sweeps {
     for (std::size_t i = first; i < island_.contacts.size(); ++i) {
       ImpulseContact& contact = island_.contacts[i];
       const double minSpeed = minSpeedOf(contact, vertices_, drift_);
-      const double speed = contact.normal.dot(relativeVelocityOf(contact, vertices_));
-      if (contact.normalImpulse == 0.0 && speed - minSpeed > island_.margin) {
+      const Vec3 relative = relativeVelocityOf(contact, vertices_);
+      if (contact.normalImpulse == 0.0 && contact.normal.dot(relative) - minSpeed > island_.margin) {
         continue;
       }
       contact.minSpeed = minSpeed;
       island_.near[island_.nearCount++] = static_cast<std::uint32_t>(i);
-      changes = solve(contact) || changes;
+      changes = solve(contact, relative) || changes;
     }
     return changes;
   }
 
-  bool solve(ImpulseContact& contact) {
-    const double normalImpulse = contact.normalImpulse;
-    const Vec3 friction = contact.friction;
-    const bool isChanged = solveContact(contact, vertices_);
-    const double change =
-        ((contact.normalImpulse - normalImpulse) * contact.normal + contact.friction - friction).norm();
-    if (change > 0.0) {
-      count(change, contact);
-    }
-    return isChanged;
-  }
-
-  /// Adds the changes of velocity that the change of an impulse causes.
-  void count(double impulse, const ImpulseContact& contact) {
-    for (std::size_t c = 0; c < contact.count; ++c) {
-      ContactVertex& vertex = vertices_[contact.vertices[c]];
-      if (vertex.inverseMass > 0.0) {
-        vertex.changes += std::abs(contact.weights[c]) * vertex.inverseMass * impulse;
-        change_ = std::max(change_, vertex.changes);
-      }
-    }
-    isListValid_ = isListValid_ && relativeChange() * (1.0 + rounding) + rounding < island_.margin;
+  /// @return whether the impulse has changed noticeably
+  bool solve(ImpulseContact& contact, const Vec3& relative) {
+    const SolvedContact solved = solveAt(relative, contact, vertices_);
+    change_ = std::max(change_, solved.changes);
+    isListValid_ = isListValid_ && change_ < maxChange_;
+    return solved.hasChanged;
   }
 
   ContactIsland& island_;
@@ -166,6 +179,7 @@ class Sweeps {
   const Drift& drift_;
   bool isListValid_ = false;
   double change_ = 0.0;         // of the velocity of a vertex since the last complete sweep began, at most [m/s]
+  double maxChange_ = 0.0;      // with which the list is valid [m/s]
   double largestChange_ = 0.0;  // of a relative velocity between complete sweeps of this substep [m/s]
 };
 
@@ -234,25 +248,8 @@ double minSpeedOf(const ImpulseContact& contact, std::span<const ContactVertex> 
   return gap > contact.restGap ? -gap / drift.duration : 0.0;
 }
 
-bool solveContact(ImpulseContact& contact, std::span<ContactVertex> vertices) {
-  const Vec3 relative = relativeVelocityOf(contact, vertices);
-  const double along = contact.normal.dot(relative);
-  if (contact.normalImpulse == 0.0 && !(along < contact.minSpeed)) {
-    return false;
-  }
-  const double normal = std::max(0.0, contact.normalImpulse + (contact.minSpeed - along) / contact.inverseMass);
-  Vec3 friction = contact.friction - (relative - along * contact.normal) / contact.inverseMass;
-  const double size = friction.norm();
-  const double sticking = contact.staticFriction * normal;
-  if (size > sticking) {
-    const bool isSlow = (size - sticking) * contact.inverseMass < slowSlip;
-    friction *= (isSlow ? sticking : contact.kineticFriction * normal) / size;
-  }
-  const Vec3 change = (normal - contact.normalImpulse) * contact.normal + friction - contact.friction;
-  apply(change, contact, vertices);
-  contact.normalImpulse = normal;
-  contact.friction = friction;
-  return change.squaredNorm() > converged * converged * normal * normal;
+SolvedContact solveContact(ImpulseContact& contact, std::span<ContactVertex> vertices) {
+  return solveAt(relativeVelocityOf(contact, vertices), contact, vertices);
 }
 
 void solveIsland(ContactIsland& island, std::span<ContactVertex> vertices, const Drift& drift) {

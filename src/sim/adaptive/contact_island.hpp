@@ -9,31 +9,32 @@
 
 namespace drape::sim::adaptive {
 
-/// A vertex of the cloth with a contact, in a substep.
-struct ContactVertex {
+/// A vertex of the cloth with a contact, in a substep. Sweeps read and write the members up to `changes`, which lie in
+/// one cache line.
+struct alignas(64) ContactVertex {
   Vec3 velocity = Vec3::Zero();   // with the impulses so far [m/s]
+  double inverseMass = 0.0;       // [1/kg]; 0 if pinned
+  double changes = 0.0;           // sum of the changes of velocity since the last complete sweep began, or more [m/s]
   Vec3 position = Vec3::Zero();   // after the drift, without impulses [m]
   Vec3 afterKick = Vec3::Zero();  // velocity before the impulses [m/s]
-  double inverseMass = 0.0;       // [1/kg]; 0 if pinned
-  double changes = 0.0;           // sum of the changes of velocity since the last complete sweep [m/s]
   double mass = 0.0;              // [kg]
   Vec3 before = Vec3::Zero();     // velocity in the substep before [m/s]
   double work = 0.0;              // so far [J]
   int index = 0;                  // permuted index
 };
 
-/// A half-space for a point of the cloth, or for the difference of two points, and its impulse. A complete sweep reads
-/// the members up to `restGap`, which are two cache lines.
+/// A half-space for a point of the cloth, or for the difference of two points, and its impulse. Sweeps read
+/// the members up to `minSpeed` of every contact that they visit, which are two cache lines.
 struct alignas(64) ImpulseContact {
   Vec3 normal = Vec3::UnitY();
   Vec3 bodyVelocity = Vec3::Zero();         // in the solver's frame [m/s]
   std::array<double, 4> weights{};          // [-]
   std::array<std::uint32_t, 4> vertices{};  // indices into the vertices with contacts
-  std::uint32_t count = 0;                  // of its vertices
+  float restGap = 0.0F;                     // [m]
+  std::uint8_t count = 0;                   // of its vertices
   bool isFeaturePair = false;               // of the cloth with itself
   double height = 0.0;                      // at the start of the step [m]
   double normalImpulse = 0.0;               // of the substep [N s]
-  double restGap = 0.0;                     // [m]
   double minSpeed = 0.0;                    // lower bound of the normal velocity in the substep [m/s]
   double inverseMass = 0.0;                 // of the point [1/kg]
   Vec3 friction = Vec3::Zero();             // of the substep [N s]
@@ -59,9 +60,13 @@ struct Drift {
   double duration = 0.0;  // [s]
 };
 
+struct SolvedContact {
+  bool hasChanged = false;  // the impulse, noticeably
+  double changes = 0.0;     // upper bound of ContactVertex::changes of its vertices if the impulse has changed [m/s]
+};
+
 /// Changes the impulse of a contact in a substep so that the contact is satisfied. `minSpeed` must be set.
-/// @return whether the impulse has changed noticeably
-bool solveContact(ImpulseContact& contact, std::span<ContactVertex> vertices);
+SolvedContact solveContact(ImpulseContact& contact, std::span<ContactVertex> vertices);
 
 /// The lower bound of the normal velocity of a contact [m/s]. It does not depend on the impulses of the substep.
 [[nodiscard]] double minSpeedOf(const ImpulseContact& contact, std::span<const ContactVertex> vertices,
@@ -73,7 +78,7 @@ bool solveContact(ImpulseContact& contact, std::span<ContactVertex> vertices);
 /// A complete sweep lists the contacts that have an impulse or are near to one. The next sweeps solve these alone,
 /// until the velocities have changed by so much that another contact may need an impulse. So the result is that of
 /// complete sweeps.
-/// @param vertices with contacts; `position`, `afterKick` and `velocity` are set, `changes` is 0
+/// @param vertices with contacts; `position`, `afterKick` and `velocity` are set
 void solveIsland(ContactIsland& island, std::span<ContactVertex> vertices, const Drift& drift);
 
 }  // namespace drape::sim::adaptive

@@ -43,7 +43,6 @@ class RandomIsland {
       }
       vertex.position += driftOfIsland.duration * vertex.velocity;
       vertex.afterKick = vertex.velocity;
-      vertex.changes = 0.0;
     }
   }
 
@@ -61,7 +60,7 @@ class RandomIsland {
     for (sweeps_ = 0; sweeps_ < (isSlow ? 60 : 6) && changes; ++sweeps_) {
       changes = false;
       for (ImpulseContact& contact : contacts_) {
-        changes = solveContact(contact, vertices_) || changes;
+        changes = solveContact(contact, vertices_).hasChanged || changes;
       }
     }
     for (ImpulseContact& contact : contacts_) {
@@ -90,7 +89,7 @@ class RandomIsland {
     contact.normal = vectorOfSize(1.0).normalized();
     contact.staticFriction = 0.5;
     contact.kineticFriction = 0.4;
-    contact.restGap = 1e-6;
+    contact.restGap = 1e-6F;
     Vec3 offset = Vec3::Zero();
     for (std::size_t c = 0; c < 4; ++c) {
       const ContactVertex& vertex = vertices_[each[c]];
