@@ -29,6 +29,9 @@ constexpr double harmlessSpeed = 2.0;  // the limit is at least this [m/s]
 /// The margin of the next list is this multiple of the change that the last list allowed for. Larger: longer lists,
 /// fewer complete sweeps.
 constexpr double marginRatio = 2.0;
+/// If a larger share of the contacts of an island has an impulse, its lists contain all contacts: counting the changes
+/// of velocity would cost more than the sweeps over the rest.
+constexpr double denseShare = 0.4;
 constexpr double minMargin = 1e-6;      // [m/s]
 constexpr double usableMargin = 0.999;  // the rest is for rounding
 
@@ -41,23 +44,28 @@ Vec3 relativeVelocityOf(const ImpulseContact& contact, std::span<const ContactVe
 }
 
 /// Applies an impulse to the vertices of a contact.
-/// @return upper bound of the changes of their velocities since the last complete sweep [m/s]
+/// @tparam counts whether to add to ContactVertex::changes  @return the largest of them [m/s]; 0 if they are not
+/// counted
+template <bool counts>
 double apply(const Vec3& impulse, const ImpulseContact& contact, std::span<ContactVertex> vertices) {
-  const double size = impulse.lpNorm<1>();  // at least the length
+  const double size = counts ? impulse.lpNorm<1>() : 0.0;  // at least the length
   double changes = 0.0;
   for (std::size_t c = 0; c < contact.count; ++c) {
     ContactVertex& vertex = vertices[contact.vertices[c]];
     if (vertex.inverseMass > 0.0) {  // islands of other threads may read pinned vertices
       const double perImpulse = contact.weights[c] * vertex.inverseMass;
       vertex.velocity += perImpulse * impulse;
-      vertex.changes += std::abs(perImpulse) * size;
-      changes = std::max(changes, vertex.changes);
+      if constexpr (counts) {
+        vertex.changes += std::abs(perImpulse) * size;
+        changes = std::max(changes, vertex.changes);
+      }
     }
   }
   return changes;
 }
 
-/// @param relative velocity of the point relative to the body [m/s]
+/// @tparam counts see apply()  @param relative velocity of the point relative to the body [m/s]
+template <bool counts>
 SolvedContact solveAt(const Vec3& relative, ImpulseContact& contact, std::span<ContactVertex> vertices) {
   const double along = contact.normal.dot(relative);
   if (contact.normalImpulse == 0.0 && !(along < contact.minSpeed)) {
@@ -72,7 +80,7 @@ SolvedContact solveAt(const Vec3& relative, ImpulseContact& contact, std::span<C
     friction *= (isSlow ? sticking : contact.kineticFriction * normal) / size;
   }
   const Vec3 change = (normal - contact.normalImpulse) * contact.normal + friction - contact.friction;
-  const double changes = apply(change, contact, vertices);
+  const double changes = apply<counts>(change, contact, vertices);
   contact.normalImpulse = normal;
   contact.friction = friction;
   return {change.squaredNorm() > converged * converged * normal * normal, changes};
@@ -94,7 +102,7 @@ class Sweeps {
     for (const std::uint32_t i : listed()) {
       const ImpulseContact& contact = island_.contacts[i];
       if (contact.normalImpulse > 0.0) {
-        apply(contact.normalImpulse * contact.normal + contact.friction, contact, vertices_);
+        apply<false>(contact.normalImpulse * contact.normal + contact.friction, contact, vertices_);
       }
     }
   }
@@ -108,12 +116,15 @@ class Sweeps {
     return sweepOverAll(0);
   }
 
-  /// Adds the impulses of the substep to those of the step. Then it sets the margin of the next substep.
+  /// Adds the impulses of the substep to those of the step. Then it prepares for the next substep.
   void finish() {
+    std::size_t impulses = 0;
     for (const std::uint32_t i : listed()) {
       ImpulseContact& contact = island_.contacts[i];
       contact.impulse += contact.normalImpulse * contact.normal + contact.friction;
+      impulses += contact.normalImpulse > 0.0 ? 1 : 0;
     }
+    island_.isDense = static_cast<double>(impulses) > denseShare * static_cast<double>(island_.contacts.size());
     island_.margin = marginRatio * std::max(largestChange_, relativeChange());
   }
 
@@ -156,7 +167,8 @@ class Sweeps {
       ImpulseContact& contact = island_.contacts[i];
       const double minSpeed = minSpeedOf(contact, vertices_, drift_);
       const Vec3 relative = relativeVelocityOf(contact, vertices_);
-      if (contact.normalImpulse == 0.0 && contact.normal.dot(relative) - minSpeed > island_.margin) {
+      if (!island_.isDense && contact.normalImpulse == 0.0 &&
+          contact.normal.dot(relative) - minSpeed > island_.margin) {
         continue;
       }
       contact.minSpeed = minSpeed;
@@ -168,7 +180,10 @@ class Sweeps {
 
   /// @return whether the impulse has changed noticeably
   bool solve(ImpulseContact& contact, const Vec3& relative) {
-    const SolvedContact solved = solveAt(relative, contact, vertices_);
+    if (island_.isDense) {
+      return solveAt<false>(relative, contact, vertices_).hasChanged;
+    }
+    const SolvedContact solved = solveAt<true>(relative, contact, vertices_);
     change_ = std::max(change_, solved.changes);
     isListValid_ = isListValid_ && change_ < maxChange_;
     return solved.hasChanged;
@@ -249,7 +264,7 @@ double minSpeedOf(const ImpulseContact& contact, std::span<const ContactVertex> 
 }
 
 SolvedContact solveContact(ImpulseContact& contact, std::span<ContactVertex> vertices) {
-  return solveAt(relativeVelocityOf(contact, vertices), contact, vertices);
+  return solveAt<false>(relativeVelocityOf(contact, vertices), contact, vertices);
 }
 
 void solveIsland(ContactIsland& island, std::span<ContactVertex> vertices, const Drift& drift) {

@@ -50,6 +50,7 @@ struct ContactIsland {
   std::span<const std::uint32_t> vertices;  // the free ones: indices into the vertices with contacts
   std::span<std::uint32_t> near;            // memory for as many indices as there are contacts
   bool hasFeaturePairs = false;
+  bool isDense = false;       // many contacts had an impulse in the substep before
   std::size_t nearCount = 0;  // the first of `near` are contacts that may have an impulse, ascending
   double margin = 0.0;        // normal velocity above the lower bound up to which a contact is one of them [m/s]
 };
@@ -75,9 +76,9 @@ SolvedContact solveContact(ImpulseContact& contact, std::span<ContactVertex> ver
 /// Solves the contacts of an island in a substep by projected Gauss-Seidel sweeps, starting with the impulses of the
 /// substep before. Then it limits the speeds that moving bodies and pins cause.
 ///
-/// A complete sweep lists the contacts that have an impulse or are near to one. The next sweeps solve these alone,
-/// until the velocities have changed by so much that another contact may need an impulse. So the result is that of
-/// complete sweeps.
+/// A complete sweep lists the contacts that have an impulse or are near to one (in dense islands all). The next sweeps
+/// solve these alone, until the velocities have changed by so much that another contact may need an impulse. So the
+/// result is that of complete sweeps.
 /// @param vertices with contacts; `position`, `afterKick` and `velocity` are set
 void solveIsland(ContactIsland& island, std::span<ContactVertex> vertices, const Drift& drift);
 
