@@ -23,7 +23,7 @@ double rounded(double value) {
 
 std::optional<double> CostBudget::budgetAfter(const settings::Settings& settings, const sim::ClothModel& model,
                                               const sim::StepReport& report, double seconds) {
-  const double spent = seconds - report.contact.bodySeconds - report.contact.selfSeconds;
+  const double spent = seconds - report.secondsOfContact();
   if (settings.automatic.budget == 0.0 || !report.choice || report.choice->forceEvaluations <= 0 ||
       model.springs.empty() || !(spent > 0.0)) {
     return std::nullopt;

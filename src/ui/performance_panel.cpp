@@ -109,8 +109,8 @@ void performanceRows(PanelContext& context) {
   const session::Snapshot& snapshot = context.snapshot;
   valueRow(context, "picture|Frame", text::formatDuration(context.stats.frameSeconds));
   valueRow(context, "Step", text::formatDuration(snapshot.stepSeconds));
-  if (snapshot.stepReport.contact.bodySeconds > 0.0) {
-    valueRow(context, "Part of the bodies", text::formatDuration(snapshot.stepReport.contact.bodySeconds));
+  if (const double seconds = snapshot.stepReport.secondsOfContact(); seconds > 0.0) {
+    valueRow(context, "Part of contact", text::formatDuration(seconds));
   }
   if (snapshot.ghost) {
     valueRow(context, "Step of the ghost", text::formatDuration(snapshot.ghost->stepSeconds));

@@ -30,8 +30,7 @@ std::string describePace(const session::Snapshot& snapshot, const text::Catalogu
 text::Sentence slownessInWords(const session::Snapshot& snapshot) {
   constexpr double largeFraction = 0.5;
   const sim::contact::ContactReport& contact = snapshot.stepReport.contact;
-  const double seconds = contact.bodySeconds + contact.selfSeconds;
-  if (seconds > largeFraction * snapshot.stepSeconds) {
+  if (snapshot.stepReport.secondsOfContact() > largeFraction * snapshot.stepSeconds) {
     return text::Sentence(contact.selfSeconds > contact.bodySeconds
                               ? "The simulation is slower than real time, mostly because of contact of the cloth with "
                                 "itself. Fewer vertices make it faster"

@@ -137,11 +137,13 @@ RunStats::RunStats(const std::string& file, std::int64_t steps) {
 }
 
 void RunStats::add(const session::Simulation& simulation) {
-  const sim::contact::ContactReport& contact = simulation.lastStepReport().contact;
+  const sim::StepReport& report = simulation.lastStepReport();
+  const sim::contact::ContactReport& contact = report.contact;
   seconds_.push_back(static_cast<float>(simulation.lastStepSeconds()));
   bodySeconds_.push_back(static_cast<float>(contact.bodySeconds));
   selfSeconds_.push_back(static_cast<float>(contact.selfSeconds));
-  if (const auto& choice = simulation.lastStepReport().choice) {
+  impulseSeconds_.push_back(static_cast<float>(report.contactSeconds));
+  if (const auto& choice = report.choice) {
     forceEvaluations_.push_back(static_cast<float>(choice->forceEvaluations));
     retriedSteps_ += choice->retries > 0 ? 1 : 0;
     fallbackSteps_ += choice->usedFallback ? 1 : 0;
@@ -155,12 +157,13 @@ void RunStats::add(const session::Simulation& simulation) {
 }
 
 nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& last) const {
-  return {{"bodies_us", quantiles(bodySeconds_)},   {"self_us", quantiles(selfSeconds_)},
-          {"body_contacts", last.bodyContacts},     {"self_contacts", last.selfContacts},
-          {"overlaps_max", maxOverlaps_},           {"overlaps_final", last.overlaps},
-          {"deepest_overlap", deepestOverlap_},     {"infeasible_max", maxInfeasible_},
-          {"crossings_max", maxCrossings_},         {"crossings_final", last.crossings},
-          {"intersections_max", maxIntersections_}, {"intersections_final", last.intersections}};
+  return {{"bodies_us", quantiles(bodySeconds_)},      {"self_us", quantiles(selfSeconds_)},
+          {"substeps_us", quantiles(impulseSeconds_)}, {"body_contacts", last.bodyContacts},
+          {"self_contacts", last.selfContacts},        {"overlaps_max", maxOverlaps_},
+          {"overlaps_final", last.overlaps},           {"deepest_overlap", deepestOverlap_},
+          {"infeasible_max", maxInfeasible_},          {"crossings_max", maxCrossings_},
+          {"crossings_final", last.crossings},         {"intersections_max", maxIntersections_},
+          {"intersections_final", last.intersections}};
 }
 
 nlohmann::ordered_json RunStats::choiceJson(const session::Simulation& simulation) const {

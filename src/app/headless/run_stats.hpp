@@ -34,6 +34,7 @@ class RunStats {
   std::vector<float> seconds_;
   std::vector<float> bodySeconds_;
   std::vector<float> selfSeconds_;
+  std::vector<float> impulseSeconds_;  // of contacts in the substeps of the solver
   int maxOverlaps_ = 0;
   double deepestOverlap_ = 0.0;  // [m]
   int maxInfeasible_ = 0;

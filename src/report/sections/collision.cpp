@@ -73,7 +73,7 @@ ReportRow rowOf(const ContactScene& contactScene, const scene::Scene& scene, con
           {"seconds", contactScene.seconds},
           {"steps", run.steps},
           {"us_per_step", finiteOrNull(microseconds * run.stepSeconds)},
-          {"contact_us_per_step", finiteOrNull(microseconds * (run.bodySeconds + run.selfSeconds))},
+          {"contact_us_per_step", finiteOrNull(microseconds * run.contactSeconds)},
           {"contact_us_p99", finiteOrNull(microseconds * run.longestContact)},
           {"bodies_us_per_step", finiteOrNull(microseconds * run.bodySeconds)},
           {"bodies_us_per_1000_triangles", finiteOrNull(microseconds * run.bodySeconds / thousands)},

@@ -27,11 +27,11 @@ struct StepCosts {
   std::vector<double> selfs;
   std::vector<double> contacts;
 
-  void add(double step, const sim::contact::ContactReport& contact) {
+  void add(double step, const sim::StepReport& report) {
     steps.push_back(step);
-    bodies.push_back(contact.bodySeconds);
-    selfs.push_back(contact.selfSeconds);
-    contacts.push_back(contact.bodySeconds + contact.selfSeconds);
+    bodies.push_back(report.contact.bodySeconds);
+    selfs.push_back(report.contact.selfSeconds);
+    contacts.push_back(report.secondsOfContact());
   }
 
   void addTo(CollisionRun& run) const {
@@ -39,6 +39,7 @@ struct StepCosts {
     run.stepSeconds = meanOf(steps);
     run.bodySeconds = meanOf(bodies);
     run.selfSeconds = meanOf(selfs);
+    run.contactSeconds = meanOf(contacts);
     run.longestContact = quantileOf(contacts, 0.99);
     run.longestSelf = quantileOf(selfs, 0.99);
   }
@@ -130,13 +131,14 @@ CollisionRun runCollision(const scene::Scene& scene, double seconds, int countEv
   MotionMeter meter(scene, world, seconds);
   while (state.time < seconds && run.finite) {
     checkStop();
-    sim::contact::ContactReport contact;
+    sim::StepReport report;
     const double taken = secondsOf([&] {
       world.advance(state.time, parameters.timeStep);
       inputs.bodies = &world.steps();
-      contact = stepper.step(*scene.model, parameters, inputs, state).contact;
+      report = stepper.step(*scene.model, parameters, inputs, state);
     });
-    costs.add(taken, contact);
+    costs.add(taken, report);
+    const sim::contact::ContactReport& contact = report.contact;
     run.contacts = std::max(run.contacts, contact.bodyContacts + contact.selfContacts);
     run.overlapping = std::max(run.overlapping, contact.overlaps);
     run.infeasible = std::max(run.infeasible, contact.infeasible);

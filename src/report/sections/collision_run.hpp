@@ -12,6 +12,7 @@ struct CollisionRun {
   double stepSeconds = 0.0;     ///< mean of a step, contact included [s]
   double bodySeconds = 0.0;     ///< mean part of the bodies [s]
   double selfSeconds = 0.0;     ///< mean part of self-collision [s]
+  double contactSeconds = 0.0;  ///< mean part of both and of contacts in the substeps of the solver [s]
   double longestContact = 0.0;  ///< 99th percentile of both together [s]
   double longestSelf = 0.0;     ///< 99th percentile of self-collision [s]
   /// Maximum of the total energy above its start, as a share of m g D with D the diagonal of the rest shape [-]; not a

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <span>
 
 namespace drape::sim::adaptive {
@@ -257,6 +258,7 @@ void AdaptiveRun<T>::resolveContacts(double time, double drift, bool isLast, con
   if (!contacts_.any()) {
     return;
   }
+  const auto begin = std::chrono::steady_clock::now();
   if (isLast) {
     if (share.member == 0) {
       contactWorkToLast_ = contacts_.work();
@@ -270,6 +272,9 @@ void AdaptiveRun<T>::resolveContacts(double time, double drift, bool isLast, con
     team_.arriveAndWait();
   }
   contacts_.addWork(share);
+  if (share.member == 0) {
+    contactSeconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  }
 }
 
 /// The energy of the present state, by a kick of zero duration, which changes nothing.

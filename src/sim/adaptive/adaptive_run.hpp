@@ -59,6 +59,9 @@ class AdaptiveRun {
   /// Writes the impulses of the last step into its contacts.
   void storeContacts(const StepInputs& inputs) const;
 
+  /// Wall-clock time of contacts in the substeps of all steps so far [s].
+  [[nodiscard]] double contactSeconds() const { return contactSeconds_; }
+
   /// Number of coarse levels in use.
   [[nodiscard]] int levels() const { return activeLevels_; }
 
@@ -99,6 +102,7 @@ class AdaptiveRun {
   simd::LaneVectors<T> gain_;    // velocity change of a kick, for the damping stages [m/s]
   ContactImpulses<T> contacts_;
   double contactWorkToLast_ = 0.0;  // [J]
+  double contactSeconds_ = 0.0;     // see contactSeconds()
   std::vector<T> firstEnergy_;
   std::vector<T> lastEnergy_;
   std::vector<T> startEnergy_;

@@ -67,7 +67,7 @@ double speedBetween(const std::vector<Vec3>& before, const std::vector<Vec3>& af
 ///    explains, the step is retried with a safer plan, up to three times, and then taken in parts;
 /// 4. some steps are also taken with twice the substeps (estimateIsDue). The difference estimates the error, which
 ///    gives the number of force evaluations for the tolerance. This number falls by at most a factor of two at a time.
-/// No clock is read, and the memory is part of the state: the same arguments give the same step.
+/// No clock decides anything, and the memory is part of the state: the same arguments give the same step.
 template <typename T>
 class AdaptiveStep {
  public:
@@ -76,6 +76,7 @@ class AdaptiveStep {
   std::optional<StepReport> step(const ClothModel& model, const LocalRates& rates, const StepParameters& parameters,
                                  const StepInputs& inputs, adaptive::StepMemory& memory, ClothState& state) {
     contactWork_ = 0.0;
+    const double contactSeconds = run_.contactSeconds();
     saferPlans_ = 0;
     const adaptive::StepPlan plan = planned(model, rates, parameters, inputs, memory);
     const double budget = adaptive::evaluationsInBudget(model, parameters, parameters.automatic);
@@ -108,7 +109,8 @@ class AdaptiveStep {
     choice.error = memory.error;
     choice.energyDrift = memory.energyDrift;
     state.time += parameters.timeStep;
-    return StepReport{.contactWork = contactWork_, .choice = choice};
+    return StepReport{
+        .contactWork = contactWork_, .contactSeconds = run_.contactSeconds() - contactSeconds, .choice = choice};
   }
 
  private:

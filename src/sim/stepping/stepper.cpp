@@ -390,11 +390,13 @@ StepReport Stepper::moveWithSubstepContacts(const ClothModel& model, const StepP
                   contact_.addMissedContacts(model, parameters, parameters.contact, state, startContacts_);
        ++i) {
     const int evaluations = report.choice->forceEvaluations;
+    const double contactSeconds = report.contactSeconds;
     state = contactStart_;
     substepContacts_ = startContacts_;
     inputs.contacts = &substepContacts_;
     report = moveBySolver(model, parameters, inputs, state);
     report.choice->forceEvaluations += evaluations;
+    report.contactSeconds += contactSeconds;
   }
   return report;
 }

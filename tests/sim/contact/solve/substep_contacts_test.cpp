@@ -58,6 +58,16 @@ TEST(SubstepContacts, needNoMoreContactSubstepsForStifferCloth) {
   }
 }
 
+TEST(SubstepContacts, haveTheirTimeInTheReport) {
+  testing::ContactScene high = sheetOnBall(25, 0.6);
+  EXPECT_EQ(high.step().contactSeconds, 0.0) << "nothing is near";
+  testing::ContactScene low = sheetOnBall(25, 0.32);
+  StepReport last;
+  low.run(0.3, [&](const StepReport& report) { last = report; });
+  EXPECT_GT(last.contactSeconds, 0.0);
+  EXPECT_EQ(last.secondsOfContact(), last.contact.bodySeconds + last.contact.selfSeconds + last.contactSeconds);
+}
+
 TEST(SubstepContacts, haveTheSameBitsForAnyNumberOfThreadsAndFromACopiedState) {
   testing::ContactScene one = sheetOnBall(65, 0.32);
   testing::ContactScene three = sheetOnBall(65, 0.32);
