@@ -61,6 +61,7 @@ struct Drift {
   double duration = 0.0;  // [s]
 };
 
+/// What solving a contact once has changed.
 struct SolvedContact {
   bool hasChanged = false;  // the impulse, noticeably
   double changes = 0.0;     // upper bound of ContactVertex::changes of its vertices if the impulse has changed [m/s]
