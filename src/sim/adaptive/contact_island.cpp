@@ -26,8 +26,8 @@ constexpr double slowSlip = 5e-3;  // [m/s]
 constexpr double speedRatio = 3.0;
 constexpr double harmlessSpeed = 2.0;  // the limit is at least this [m/s]
 
-/// The margin of the next list is this multiple of the change that the last list allowed for. Larger: longer lists,
-/// fewer complete sweeps.
+/// The margin over the largest change of a relative velocity in the sweeps before. Larger: longer lists, fewer complete
+/// sweeps.
 constexpr double marginRatio = 2.0;
 /// If a larger share of the contacts of an island has an impulse, its lists contain all contacts: counting the changes
 /// of velocity would cost more than the sweeps over the rest.

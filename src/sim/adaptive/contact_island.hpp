@@ -77,9 +77,9 @@ SolvedContact solveContact(ImpulseContact& contact, std::span<ContactVertex> ver
 /// Solves the contacts of an island in a substep by projected Gauss-Seidel sweeps, starting with the impulses of the
 /// substep before. Then it limits the speeds that moving bodies and pins cause.
 ///
-/// A complete sweep lists the contacts that have an impulse or are near to one (in dense islands all). The next sweeps
-/// solve these alone, until the velocities have changed by so much that another contact may need an impulse. So the
-/// result is that of complete sweeps.
+/// A complete sweep lists the contacts that have an impulse, or whose normal velocity is within a margin of its lower
+/// bound. In dense islands it lists all contacts. The next sweeps solve only the listed contacts, until the velocities
+/// have changed so much that another contact may need an impulse. The result has the bits of complete sweeps.
 /// @param vertices with contacts; `position`, `afterKick` and `velocity` are set
 void solveIsland(ContactIsland& island, std::span<ContactVertex> vertices, const Drift& drift);
 

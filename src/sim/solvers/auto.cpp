@@ -67,7 +67,7 @@ double speedBetween(const std::vector<Vec3>& before, const std::vector<Vec3>& af
 ///    explains, the step is retried with a safer plan, up to three times, and then taken in parts;
 /// 4. some steps are also taken with twice the substeps (estimateIsDue). The difference estimates the error, which
 ///    gives the number of force evaluations for the tolerance. This number falls by at most a factor of two at a time.
-/// No clock decides anything, and the memory is part of the state: the same arguments give the same step.
+/// Clocks are read for statistics only, and the memory is part of the state: the same arguments give the same step.
 template <typename T>
 class AdaptiveStep {
  public:
