@@ -1,6 +1,7 @@
 #include "session/simulation_thread.hpp"
 
 #include "session/pacer.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -18,10 +19,6 @@ constexpr double longestBurst = 1.0 / 120.0;  // [s]
 constexpr double longestStillness = 0.25;
 /// Longest wait for a command while nothing moves. Sleeping cloth then takes the steps of this time together [s].
 constexpr double longestWait = 0.1;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -91,7 +88,7 @@ void SimulationThread::callOnMotion(std::function<void()> wake) {
 
 /// While the cloth sleeps, only its age changes. Nobody needs that often.
 bool SimulationThread::isWorthPublishing() const {
-  return simulation_.pictureVersion() != publishedPicture_ || secondsSince(lastPublished_) > longestStillness;
+  return simulation_.pictureVersion() != publishedPicture_ || sim::secondsSince(lastPublished_) > longestStillness;
 }
 
 void SimulationThread::publish() {
@@ -101,7 +98,7 @@ void SimulationThread::publish() {
   snapshots_.publish();
   lastPublished_ = Clock::now();
   if (std::exchange(publishedPicture_, simulation_.pictureVersion()) != simulation_.pictureVersion()) {
-    const bool wakes = secondsSince(lastMotion_) > longestStillness;
+    const bool wakes = sim::secondsSince(lastMotion_) > longestStillness;
     lastMotion_ = lastPublished_;
     if (wakes) {
       const std::scoped_lock lock(wakeLock_);
@@ -127,7 +124,7 @@ void SimulationThread::run() {
     const bool wasPaused = simulation_.paused();  // while this thread waited
     const bool changed = drain(commands);
     answerInspections();
-    const double elapsed = wasPaused ? 0.0 : secondsSince(last);
+    const double elapsed = wasPaused ? 0.0 : sim::secondsSince(last);
     last = Clock::now();
     const settings::Settings& settings = simulation_.settings();
     double simulated = 0.0;
@@ -136,7 +133,8 @@ void SimulationThread::run() {
       factor.reset();
     } else {
       pacer.collect(elapsed, settings.playback.speed);
-      while (!simulation_.paused() && secondsSince(last) < longestBurst && pacer.takeStep(settings.step.timeStep)) {
+      while (!simulation_.paused() && sim::secondsSince(last) < longestBurst &&
+             pacer.takeStep(settings.step.timeStep)) {
         simulation_.step();
         simulated += settings.step.timeStep;
       }
@@ -146,7 +144,7 @@ void SimulationThread::run() {
       realTimeFactor_ = factor.value();
       publish();
     }
-    const bool isStill = simulation_.paused() || secondsSince(lastMotion_) > longestStillness;
+    const bool isStill = simulation_.paused() || sim::secondsSince(lastMotion_) > longestStillness;
     const double wait = isStill ? longestWait : pacer.untilNext(settings.step.timeStep, settings.playback.speed);
     queue_.await(std::chrono::duration<double>(std::min(wait, longestWait)));
   }

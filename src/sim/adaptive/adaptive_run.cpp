@@ -3,6 +3,7 @@
 #include "sim/adaptive/lane_sum.hpp"
 #include "sim/adaptive/slot_stiffness.hpp"
 #include "sim/forces/kernels.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <algorithm>
 #include <array>
@@ -273,7 +274,7 @@ void AdaptiveRun<T>::resolveContacts(double time, double drift, bool isLast, con
   }
   contacts_.addWork(share);
   if (share.member == 0) {
-    contactSeconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    contactSeconds_ += secondsSince(begin);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "sim/contact/solve/remove_approach.hpp"
 #include "sim/forces/diagnostics.hpp"
 #include "sim/model/bounds.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -50,10 +51,6 @@ bool diverges(const ClothModel& model, const std::vector<Vec3>& start, const std
     }
   }
   return false;
-}
-
-double secondsSince(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
