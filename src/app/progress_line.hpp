@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/model/seconds_since.hpp"
+
 #include <chrono>
 #include <cstddef>
 #include <string_view>
@@ -25,9 +27,7 @@ class ProgressLine {
   void show(std::string_view label, double done, double total);
 
   /// Time since construction [s].
-  [[nodiscard]] double spent() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
+  [[nodiscard]] double spent() const { return sim::secondsSince(begin_); }
 
  private:
   void overwrite(std::string line, int percent);

@@ -1,5 +1,7 @@
 #include "report/timing.hpp"
 
+#include "sim/model/seconds_since.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -31,7 +33,7 @@ double allocatedBytes() {
 double secondsOf(const std::function<void()>& call) {
   const auto begin = std::chrono::steady_clock::now();
   call();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return sim::secondsSince(begin);
 }
 
 double quantileOf(std::vector<double> values, double share) {

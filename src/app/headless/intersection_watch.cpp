@@ -2,6 +2,7 @@
 
 #include "intersection/intersections.hpp"
 #include "report/body_intersections.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <fmt/core.h>
 #include <algorithm>
@@ -41,7 +42,7 @@ void IntersectionWatch::count(const session::Simulation& simulation) {
   const std::vector<Triangle>& triangles = simulation.model().triangles;
   const std::size_t self = intersection::intersectingPairs({positions, triangles}).size();
   const std::size_t bodies = report::pairsWithBodies(positions, triangles, simulation.bodies());
-  seconds_.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  seconds_.push_back(sim::secondsSince(start));
   lastStep_ = simulation.stepIndex();
   all_.add(lastStep_, self + bodies);
   self_.add(lastStep_, self);

@@ -7,6 +7,7 @@
 #include "messages/error.hpp"
 #include "messages/sim_error_text.hpp"
 #include "session/simulation.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <fmt/core.h>
 
@@ -57,7 +58,7 @@ std::optional<ExportJob::Outcome> ExportJob::poll() {
 
 ui::ExportProgress ExportJob::progress() const {
   const std::scoped_lock lock(lock_);
-  const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  const double spent = sim::secondsSince(begin_);
   return {order_.file, share_, share_ > 0.0 ? spent * (1.0 - share_) / share_ : -1.0};
 }
 

@@ -6,6 +6,7 @@
 #include "scene/grid_mesh.hpp"
 #include "scene/mass.hpp"
 #include "settings/settings_table.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ void CaseTrial::warn(const sim::SolverWarning& warning) {
 }
 
 double CaseTrial::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  return sim::secondsSince(begin_);
 }
 
 void CaseTrial::tick() const {

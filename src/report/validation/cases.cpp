@@ -1,6 +1,7 @@
 #include "report/validation/cases.hpp"
 
 #include "messages/error.hpp"
+#include "sim/model/seconds_since.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -84,13 +85,12 @@ double ValidationSeries::order() const {
 
 ValidationSeries runValidation(const ValidationCase& validationCase, MeshKind kind, std::span<const int> resolutions,
                                const std::stop_token& stop) {
-  using Clock = std::chrono::steady_clock;
   ValidationSeries series{.validationCase = &validationCase, .kind = kind, .results = {}};
   for (const int resolution : resolutions) {
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     const Comparison comparison =
         validationCase.run({.resolution = resolution, .kind = kind, .subject = validationCase.subject, .stop = stop});
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = sim::secondsSince(start);
     series.results.push_back({.kind = kind, .resolution = resolution, .comparison = comparison, .seconds = seconds});
   }
   return series;
