@@ -53,7 +53,7 @@ class Run {
     contactSubsteps_ += stepper_.contactSubsteps();
     itself_ += report.contact.selfSeconds;
     bodies_ += report.contact.bodySeconds;
-    substeps_ += report.contactSeconds;
+    substeps_ += report.substepContactSeconds;
     return report;
   }
 

@@ -41,7 +41,7 @@ TEST_F(Budgeting, takesContactForSomethingElse) {
   sim::StepReport report = withForceEvaluations(10);
   report.contact.bodySeconds = 0.001;
   report.contact.selfSeconds = 0.002;
-  report.contactSeconds = 0.004;
+  report.substepContactSeconds = 0.004;
   const auto budget =
       budget_.budgetAfter(settings_, *scene_->model, report, 0.007 + tenForceEvaluations(4.0 * nanosecond));
   ASSERT_TRUE(budget);

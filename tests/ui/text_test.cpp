@@ -28,9 +28,9 @@ TEST(Slowness, NamesContactIfItTakesMoreThanHalfOfAStep) {
   snapshot.stepReport.contact.bodySeconds = 0.002;
   snapshot.stepReport.contact.selfSeconds = 0.002;
   EXPECT_EQ(slownessInWords(snapshot).english().find("contact"), std::string::npos);
-  snapshot.stepReport.contactSeconds = 0.0005;
+  snapshot.stepReport.substepContactSeconds = 0.0005;
   EXPECT_EQ(slownessInWords(snapshot).english().find("contact"), std::string::npos);
-  snapshot.stepReport.contactSeconds = 0.0015;  // in the substeps of the solver
+  snapshot.stepReport.substepContactSeconds = 0.0015;  // in the substeps of the solver
   EXPECT_NE(slownessInWords(snapshot).english().find("contact"), std::string::npos);
   snapshot.stepReport.contact.bodySeconds = 0.004;
   EXPECT_NE(slownessInWords(snapshot).english().find("mostly because of contact with bodies"), std::string::npos);

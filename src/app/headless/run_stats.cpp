@@ -142,7 +142,7 @@ void RunStats::add(const session::Simulation& simulation) {
   seconds_.push_back(static_cast<float>(simulation.lastStepSeconds()));
   bodySeconds_.push_back(static_cast<float>(contact.bodySeconds));
   selfSeconds_.push_back(static_cast<float>(contact.selfSeconds));
-  impulseSeconds_.push_back(static_cast<float>(report.contactSeconds));
+  impulseSeconds_.push_back(static_cast<float>(report.substepContactSeconds));
   if (const auto& choice = report.choice) {
     forceEvaluations_.push_back(static_cast<float>(choice->forceEvaluations));
     retriedSteps_ += choice->retries > 0 ? 1 : 0;

@@ -110,7 +110,7 @@ class AdaptiveStep {
     choice.energyDrift = memory.energyDrift;
     state.time += parameters.timeStep;
     return StepReport{
-        .contactWork = contactWork_, .contactSeconds = run_.contactSeconds() - contactSeconds, .choice = choice};
+        .contactWork = contactWork_, .substepContactSeconds = run_.contactSeconds() - contactSeconds, .choice = choice};
   }
 
  private:

@@ -23,18 +23,20 @@ struct StepReport {
   bool converged = true;                ///< false if a solve ended above its tolerance
   contact::ContactReport contact = {};  ///< contacts of the step
   double contactWork = 0.0;             ///< work of the contacts that the solver resolved in its substeps [J]
-  double contactSeconds = 0.0;          ///< wall-clock time of these contacts [s]
+  double substepContactSeconds = 0.0;   ///< wall-clock time of these contacts [s]
   double settlingWork = 0.0;            ///< energy change by adaptive::settle [J]
   std::optional<adaptive::StepChoice> choice = {};  ///< of the solver `auto`
 
   /// Wall-clock time of all contacts: with bodies, of the cloth with itself, and in the substeps of the solver [s].
-  [[nodiscard]] double secondsOfContact() const { return contact.bodySeconds + contact.selfSeconds + contactSeconds; }
+  [[nodiscard]] double secondsOfContact() const {
+    return contact.bodySeconds + contact.selfSeconds + substepContactSeconds;
+  }
 
   /// Adds the report of the next step.
   void add(const StepReport& next) {
     iterations += next.iterations;
     contactWork += next.contactWork;
-    contactSeconds += next.contactSeconds;
+    substepContactSeconds += next.substepContactSeconds;
     settlingWork += next.settlingWork;
     residual = next.residual;
     converged = converged && next.converged;

@@ -390,13 +390,13 @@ StepReport Stepper::moveWithSubstepContacts(const ClothModel& model, const StepP
                   contact_.addMissedContacts(model, parameters, parameters.contact, state, startContacts_);
        ++i) {
     const int evaluations = report.choice->forceEvaluations;
-    const double contactSeconds = report.contactSeconds;
+    const double contactSeconds = report.substepContactSeconds;
     state = contactStart_;
     substepContacts_ = startContacts_;
     inputs.contacts = &substepContacts_;
     report = moveBySolver(model, parameters, inputs, state);
     report.choice->forceEvaluations += evaluations;
-    report.contactSeconds += contactSeconds;
+    report.substepContactSeconds += contactSeconds;
   }
   return report;
 }

@@ -60,12 +60,12 @@ TEST(SubstepContacts, needNoMoreContactSubstepsForStifferCloth) {
 
 TEST(SubstepContacts, haveTheirTimeInTheReport) {
   testing::ContactScene high = sheetOnBall(25, 0.6);
-  EXPECT_EQ(high.step().contactSeconds, 0.0) << "nothing is near";
+  EXPECT_EQ(high.step().substepContactSeconds, 0.0) << "nothing is near";
   testing::ContactScene low = sheetOnBall(25, 0.32);
   StepReport last;
   low.run(0.3, [&](const StepReport& report) { last = report; });
-  EXPECT_GT(last.contactSeconds, 0.0);
-  EXPECT_EQ(last.secondsOfContact(), last.contact.bodySeconds + last.contact.selfSeconds + last.contactSeconds);
+  EXPECT_GT(last.substepContactSeconds, 0.0);
+  EXPECT_EQ(last.secondsOfContact(), last.contact.bodySeconds + last.contact.selfSeconds + last.substepContactSeconds);
 }
 
 TEST(SubstepContacts, haveTheSameBitsForAnyNumberOfThreadsAndFromACopiedState) {
