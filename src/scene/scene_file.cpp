@@ -285,8 +285,8 @@ void readSettings(const TomlReader& reader, settings::Settings& settings, std::v
   }
 }
 
-/// Refuses a file of a newer version as such, before its unknown keys are errors.
-void requireKnownFormat(const TomlReader& reader) {
+/// The format of a file. Refuses a file of a newer version as such, before its unknown keys are errors.
+int knownFormat(const TomlReader& reader) {
   constexpr int manyFormats = 1'000'000;
   const int format = reader.integer("format", 1, manyFormats).value_or(sceneFormat);
   if (format > sceneFormat) {
@@ -294,6 +294,16 @@ void requireKnownFormat(const TomlReader& reader) {
         "{}: a newer version of Drape wrote this scene (format {}); this version reads formats up to {}. Update Drape.",
         reader.place("format"), format, sceneFormat));
   }
+  return format;
+}
+
+/// The settings of a file that sets none.
+settings::Settings defaultsOfFormat(int format) {
+  settings::Settings settings;
+  if (format == 1) {
+    settings.step.contact.self = sim::contact::SelfCollision::Off;
+  }
+  return settings;
 }
 
 /// Reads the settings that a cloth has for itself.
@@ -313,10 +323,11 @@ void readOwnSettings(const TomlReader& reader, SceneDescription& scene, ClothDes
 SceneDescription parseScene(std::string_view text, const std::string& name, const std::string& file,
                             const std::filesystem::path& folder, const settings::OwnFabrics& own) {
   const TomlReader reader(text, file);
-  requireKnownFormat(reader);
+  const int format = knownFormat(reader);
   reader.allowOnly({"format", "title", "help", "cloth", "cloths", "pins", "seams", "camera", "stand", "ground",
                     "bodies", "settings", "fabrics"});
   SceneDescription scene;
+  scene.settings = defaultsOfFormat(format);
   scene.settings.fabric.own = settings::joined(own, readFabrics(reader));
   scene.name = name;
   scene.title = reader.text("title").value_or(name);

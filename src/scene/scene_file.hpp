@@ -8,8 +8,10 @@
 
 namespace drape::scene {
 
-/// The format of scene files that this version writes, in their key `format`. It reads this one and earlier ones.
-inline constexpr int sceneFormat = 1;
+/// The format of scene files that this version writes, in their key `format`. It reads this one and earlier ones. A
+/// file without the key has this format. Format 1: `self_collision` is "off" in a file that does not set it. Format 2:
+/// it is "auto".
+inline constexpr int sceneFormat = 2;
 
 /// Reads a scene from TOML text (docs/guide/scenes.md). Mesh paths are relative to `folder`; "builtin:skirt.obj" names
 /// a built-in mesh. Throws InputError with file and line.

@@ -743,6 +743,7 @@ const std::array table{
 
 Settings::Settings() {
   step.precision = sim::Precision::Float;
+  step.contact.self = sim::contact::SelfCollision::Auto;
   setPreset(*this, "cotton");
 }
 

@@ -197,7 +197,7 @@ TEST(ReportForABudget, findsTheErrorsOfAClothThatTouchesABody) {
   double minError = 1.0;
   double maxError = 0.0;
   for (const auto& row : json["budget"]) {
-    EXPECT_EQ(row["contact"], "bodies") << row;
+    EXPECT_EQ(row["contact"], "bodies and itself") << row;
     EXPECT_FALSE(row["noise_floor"].is_null());
     if (row["state"] == "calm") {
       EXPECT_GT(row["us_per_simulated_second"], 0.0);

@@ -309,7 +309,7 @@ TEST(Run, findsTheStepAtWhichMostTrianglesIntersect) {
          "f 1 2 3\nf 4 5 6\n";
   const auto scene = folder / "falling.toml";
   std::ofstream(scene) << "[cloth]\nmesh = \"falling.obj\"\n[pins]\nvertices = [0, 1, 2]\n"
-                          "[settings]\ntime_step = 0.01\nsolver = \"newton\"\n";
+                          "[settings]\ntime_step = 0.01\nsolver = \"newton\"\nself_collision = \"off\"\n";
   const std::string command = scene.string() + " --check-intersections 1 --seconds ";
   const auto before = statsOf(command + "0.15");
   EXPECT_EQ(before["intersecting_pairs_max"], 0);

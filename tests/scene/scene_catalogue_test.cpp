@@ -147,7 +147,7 @@ TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
   // A scene file starts from the defaults of the table.
   const auto mine = built(folder.write("mine.toml", "[cloth]\nmesh = \"sheet.obj\"\n"));
   EXPECT_EQ(mine->description.settings.step.air.drag, settings::Settings().step.air.drag);
-  EXPECT_EQ(mine->description.settings.step.contact.self, sim::contact::SelfCollision::Off);
+  EXPECT_EQ(mine->description.settings.step.contact.self, sim::contact::SelfCollision::Auto);
 }
 
 TEST(Scenes, takeAMeshFilesUnitFromTheSettings) {

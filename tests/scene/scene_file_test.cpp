@@ -320,9 +320,19 @@ TEST(SceneFile, takesAsCarrierOfThePinsOnlyABodyThatThereIs) {
 TEST(SceneFormat, ofANewerVersionIsNamedBeforeItsUnknownKeys) {
   const std::string cloth = "[cloth]\ngrid = \"vertical\"\n";
   EXPECT_EQ(refusal("format = 1\n" + cloth), "");
-  EXPECT_EQ(refusal("title = \"From the future\"\nformat = 2\nmagnets = 3\n" + cloth),
-            "test.toml:2: a newer version of Drape wrote this scene (format 2); this version reads formats up to 1. "
+  EXPECT_EQ(refusal("title = \"From the future\"\nformat = 3\nmagnets = 3\n" + cloth),
+            "test.toml:2: a newer version of Drape wrote this scene (format 3); this version reads formats up to 2. "
             "Update Drape.");
+}
+
+TEST(SceneFormat, decidesOnSelfCollisionInAFileThatDoesNotSetIt) {
+  using sim::contact::SelfCollision;
+  const std::string cloth = "[cloth]\ngrid = \"vertical\"\n";
+  const auto chosenIn = [](const std::string& scene) { return parse(scene).settings.step.contact.self; };
+  EXPECT_EQ(chosenIn(cloth), SelfCollision::Auto);
+  EXPECT_EQ(chosenIn("format = 2\n" + cloth), SelfCollision::Auto);
+  EXPECT_EQ(chosenIn("format = 1\n" + cloth), SelfCollision::Off) << "as when it was saved";
+  EXPECT_EQ(chosenIn("format = 1\n" + cloth + "[settings]\nself_collision = \"hash\"\n"), SelfCollision::Hash);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ settings::Settings CaseTrial::settings(const std::vector<std::string>& changes) 
   settings.material.massGivenAs = "mass";
   settings.fabric.ownDensity = false;
   settings.material.lumping = "uniform";
+  settings.step.contact.self = sim::contact::SelfCollision::Off;  // the cases of contact choose theirs
   return changed(settings, changes);
 }
 
