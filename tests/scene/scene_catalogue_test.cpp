@@ -134,6 +134,17 @@ TEST(Scenes, haveTheirGroundAtZeroOrBelowClothThatStartsLower) {
   EXPECT_LT(groundOf("-3", "[pins]\ncorners = [\"top_left\"]"), -3.0 - std::sqrt(2.0));
 }
 
+TEST(Scenes, thatAreBuiltInKeepTheClothFromPassingThroughItselfIfTheirSolverIsAuto) {
+  using sim::contact::SelfCollision;
+  for (const SceneInfo& info : sceneList()) {
+    const settings::Settings settings = openScene(info.name).settings;
+    const SelfCollision self = settings.step.contact.self;
+    if (settings.solver.name == "auto") {
+      EXPECT_TRUE(self == SelfCollision::Auto || self == SelfCollision::Exact) << info.name;
+    }
+  }
+}
+
 TEST(Scenes, giveAnOpenedMeshAirDampingSelfCollisionAndASolidGroundBelowIt) {
   const Folder folder;
   const auto scene = built(folder.write("sheet.obj", quad));
