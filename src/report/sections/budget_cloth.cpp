@@ -9,6 +9,7 @@
 #include "settings/settings_table.hpp"
 #include "sim/model/distances.hpp"
 #include "sim/model/sim_error.hpp"
+#include "sim/solvers/self_collision.hpp"
 
 #include <algorithm>
 #include <array>
@@ -180,10 +181,8 @@ std::shared_ptr<const scene::Scene> withSettledContact(const scene::Scene& scene
   auto settled = std::make_shared<scene::Scene>(scene);
   settled->settings = changedSettings(scene, settings);
   sim::contact::ContactParameters& contact = settled->settings.step.contact;
-  if (contact.self == sim::contact::SelfCollision::Auto) {
-    const sim::SolverInfo* solver = sim::findSolver(scene.settings.solver.name);
-    contact.self = solver != nullptr && solver->resolvesContacts ? sim::contact::SelfCollision::Exact
-                                                                 : sim::contact::SelfCollision::Hash;
+  if (const sim::SolverInfo* solver = sim::findSolver(scene.settings.solver.name); solver != nullptr) {
+    contact.self = sim::actingSelfCollision(contact.self, *solver);
   }
   return settled;
 }

@@ -3,8 +3,8 @@
 #include "report/sections/collision_view.hpp"
 #include "report/sections/paper_times.hpp"
 #include "report/sections/sections.hpp"
+#include "settings/acting_self_collision.hpp"
 #include "settings/settings_table.hpp"
-#include "sim/solvers/solver.hpp"
 
 #include <string>
 #include <variant>
@@ -47,17 +47,11 @@ const std::vector<ContactScene>& contactScenes(bool quick) {
 
 /// The kinds of contact of a scene with its settings, without the ground and the stand, which most scenes have.
 std::string modeOf(const scene::Scene& scene) {
-  auto mode = std::get<std::string>(settings::settingValue(scene.settings, settings::requireSetting("self_collision")));
-  if (mode == "off") {
-    mode.clear();
+  std::string self = settings::actingSelfCollision(scene.settings);
+  if (!scene.settings.step.contact.bodies || scene.description.bodies.empty()) {
+    return self;
   }
-  if (mode == "auto") {
-    mode = sim::findSolver(scene.settings.solver.name)->resolvesContacts ? "exact" : "hash";
-  }
-  if (scene.settings.step.contact.bodies && !scene.description.bodies.empty()) {
-    mode = mode.empty() ? "bodies" : "bodies+" + mode;
-  }
-  return mode.empty() ? "off" : mode;
+  return self == "off" ? "bodies" : "bodies+" + self;
 }
 
 ReportRow rowOf(const ContactScene& contactScene, const scene::Scene& scene, const CollisionRun& run) {

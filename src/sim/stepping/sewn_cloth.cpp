@@ -2,7 +2,7 @@
 
 #include "sim/contact/self/self_contact.hpp"
 #include "sim/fabric/weld.hpp"
-#include "sim/stepping/self_collision.hpp"
+#include "sim/solvers/self_collision.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -11,7 +11,7 @@
 #include "sim/model/pieces.hpp"
 #include "sim/model/sim_error.hpp"
 #include "sim/motion/moving_frame.hpp"
-#include "sim/stepping/self_collision.hpp"
+#include "sim/solvers/self_collision.hpp"
 
 #include <algorithm>
 #include <cmath>
