@@ -47,6 +47,15 @@ TEST(Run, addsNoEnergyToAFlagThatFoldsFastWithExactSelfCollision) {
   EXPECT_LT(stats["energy_kinetic"], 2.0) << "about 0.2 J";
 }
 
+TEST(Run, namesTheMethodOfSelfCollisionThatActs) {
+  const auto acting = [](const std::string& settings) {
+    return statsOf("grid --seconds 0.02 --set " + settings)["contact"]["self_collision"];
+  };
+  EXPECT_EQ(acting("self_collision=auto solver=auto"), "exact");
+  EXPECT_EQ(acting("self_collision=auto solver=xpbd"), "hash");
+  EXPECT_EQ(acting("self_collision=off solver=auto"), "off");
+}
+
 TEST(Run, bringsATableclothToRest) {
   const auto stats = statsOf("tablecloth --seconds 120 --set time_step=1/60 solver=auto grid.resolution=17");
   EXPECT_EQ(stats["choice"]["sleeping"], 1.0);

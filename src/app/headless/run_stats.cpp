@@ -6,6 +6,7 @@
 #include "report/settings_json.hpp"
 #include "scene/cloth_material.hpp"
 #include "scene/rest_pattern.hpp"
+#include "settings/acting_self_collision.hpp"
 #include "settings/settings_table.hpp"
 #include "sim/fabric/fabric.hpp"
 #include "sim/forces/diagnostics.hpp"
@@ -156,13 +157,21 @@ void RunStats::add(const session::Simulation& simulation) {
   maxIntersections_ = std::max(maxIntersections_, contact.intersections);
 }
 
-nlohmann::ordered_json RunStats::contactJson(const sim::contact::ContactReport& last) const {
-  return {{"bodies_us", quantiles(bodySeconds_)},      {"self_us", quantiles(selfSeconds_)},
-          {"substeps_us", quantiles(impulseSeconds_)}, {"body_contacts", last.bodyContacts},
-          {"self_contacts", last.selfContacts},        {"overlaps_max", maxOverlaps_},
-          {"overlaps_final", last.overlaps},           {"deepest_overlap", deepestOverlap_},
-          {"infeasible_max", maxInfeasible_},          {"crossings_max", maxCrossings_},
-          {"crossings_final", last.crossings},         {"intersections_max", maxIntersections_},
+nlohmann::ordered_json RunStats::contactJson(const session::Simulation& simulation) const {
+  const sim::contact::ContactReport& last = simulation.lastStepReport().contact;
+  return {{"self_collision", settings::actingSelfCollision(simulation.settings())},
+          {"bodies_us", quantiles(bodySeconds_)},
+          {"self_us", quantiles(selfSeconds_)},
+          {"substeps_us", quantiles(impulseSeconds_)},
+          {"body_contacts", last.bodyContacts},
+          {"self_contacts", last.selfContacts},
+          {"overlaps_max", maxOverlaps_},
+          {"overlaps_final", last.overlaps},
+          {"deepest_overlap", deepestOverlap_},
+          {"infeasible_max", maxInfeasible_},
+          {"crossings_max", maxCrossings_},
+          {"crossings_final", last.crossings},
+          {"intersections_max", maxIntersections_},
           {"intersections_final", last.intersections}};
 }
 
@@ -197,7 +206,7 @@ nlohmann::ordered_json RunStats::toJson(const session::Simulation& simulation) c
   json["steps"] = simulation.stepIndex();
   json["time"] = simulation.state().time;
   json["step_us"] = quantiles(seconds_);
-  json["contact"] = contactJson(simulation.lastStepReport().contact);
+  json["contact"] = contactJson(simulation);
   json["choice"] = choiceJson(simulation);
   json["accuracy"] = accuracyJson(simulation.accuracy());
   json["energy"] = energy.total();

@@ -27,7 +27,7 @@ class RunStats {
   void write(const nlohmann::ordered_json& figures);
 
  private:
-  [[nodiscard]] nlohmann::ordered_json contactJson(const sim::contact::ContactReport& last) const;
+  [[nodiscard]] nlohmann::ordered_json contactJson(const session::Simulation& simulation) const;
   [[nodiscard]] nlohmann::ordered_json choiceJson(const session::Simulation& simulation) const;
 
   std::optional<OutputFile> file_;
