@@ -9,9 +9,7 @@ namespace drape::settings {
 std::string actingSelfCollision(const Settings& settings) {
   Settings acting = settings;
   sim::contact::SelfCollision& method = acting.step.contact.self;
-  if (const sim::SolverInfo* solver = sim::findSolver(settings.solver.name); solver != nullptr) {
-    method = sim::actingSelfCollision(method, *solver);
-  }
+  method = sim::actingSelfCollision(method, sim::findSolver(settings.solver.name));
   return std::get<std::string>(settingValue(acting, requireSetting("self_collision")));
 }
 

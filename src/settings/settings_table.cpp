@@ -1,6 +1,7 @@
 #include "settings/settings_table.hpp"
 #include "fabrics/presets.hpp"
 #include "sim/fields/field_table.hpp"
+#include "sim/solvers/self_collision.hpp"
 #include "sim/solvers/solver.hpp"
 #include "text/number_text.hpp"
 
@@ -307,10 +308,8 @@ bool collidesWithItself(const Settings& settings) {
 }
 
 bool collidesByHash(const Settings& settings) {
-  const sim::SolverInfo* solver = sim::findSolver(settings.solver.name);
-  const bool canBeHash = solver == nullptr || !solver->resolvesContacts;
-  return settings.step.contact.self == sim::contact::SelfCollision::Hash ||
-         (settings.step.contact.self == sim::contact::SelfCollision::Auto && canBeHash);
+  return sim::actingSelfCollision(settings.step.contact.self, sim::findSolver(settings.solver.name)) ==
+         sim::contact::SelfCollision::Hash;
 }
 
 bool showsGhost(const Settings& settings) {

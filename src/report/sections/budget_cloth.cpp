@@ -181,9 +181,7 @@ std::shared_ptr<const scene::Scene> withSettledContact(const scene::Scene& scene
   auto settled = std::make_shared<scene::Scene>(scene);
   settled->settings = changedSettings(scene, settings);
   sim::contact::ContactParameters& contact = settled->settings.step.contact;
-  if (const sim::SolverInfo* solver = sim::findSolver(scene.settings.solver.name); solver != nullptr) {
-    contact.self = sim::actingSelfCollision(contact.self, *solver);
-  }
+  contact.self = sim::actingSelfCollision(contact.self, sim::findSolver(scene.settings.solver.name));
   return settled;
 }
 

@@ -6,12 +6,13 @@
 namespace drape::sim {
 
 /// The method of self-collision that acts with a solver: never Auto.
+/// @param solver nullptr counts as a solver that does not resolve contacts
 [[nodiscard]] inline contact::SelfCollision actingSelfCollision(contact::SelfCollision chosen,
-                                                                const SolverInfo& solver) {
+                                                                const SolverInfo* solver) {
   if (chosen != contact::SelfCollision::Auto) {
     return chosen;
   }
-  return solver.resolvesContacts ? contact::SelfCollision::Exact : contact::SelfCollision::Hash;
+  return solver != nullptr && solver->resolvesContacts ? contact::SelfCollision::Exact : contact::SelfCollision::Hash;
 }
 
 }  // namespace drape::sim

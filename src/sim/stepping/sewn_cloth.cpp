@@ -167,7 +167,7 @@ void SewnCloth::carry(ClothState& state) const {
 }
 
 double weldDistanceOf(const ClothModel& model, const contact::ContactParameters& contact, const SolverInfo& solver) {
-  switch (actingSelfCollision(contact.self, solver)) {
+  switch (actingSelfCollision(contact.self, &solver)) {
     case contact::SelfCollision::Hash:
       return weldedAtOfHash * contact::selfThicknessOf(model, contact);
     case contact::SelfCollision::Exact:

@@ -143,7 +143,7 @@ StepReport Stepper::step(const ClothModel& model, const StepParameters& paramete
                          ClothState& state) {
   // So that nothing below needs to ask which self-collision and which material act.
   StepParameters acting = parameters;
-  acting.contact.self = actingSelfCollision(parameters.contact.self, *info_);
+  acting.contact.self = actingSelfCollision(parameters.contact.self, info_);
   if (!seams_.empty()) {
     keepAwake(state);
   }
