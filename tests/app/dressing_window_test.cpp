@@ -322,8 +322,8 @@ TEST(DressingInTheWindow, AStartThatABodyPassesThroughIsNamedAndCuredByOneClick)
 }
 
 TEST(DressingInTheWindow, AMovingClothThatABodyPassesThroughIsCuredAndGoesOn) {
-  // Without contact for a moment the cloth falls into the body. In slow motion, so that contact has no time to free it
-  // before the click.
+  // Without contact for a moment the cloth falls into the body. Slow motion keeps contact from freeing it before the
+  // click.
   ViewerDriver viewer({"mannequin", "--paused", "--set", "bodies=off", "time_step=0.01", "speed=0.01"});
   viewer.send({"key", "--repeat", "25", "--delay", "60", "period"});
   viewer.waitUntil("a fall", [](const Json& s) { return s["step"] > 18; });

@@ -27,7 +27,7 @@ struct BudgetCloth {
 [[nodiscard]] std::shared_ptr<const scene::Scene> withSettledContact(const scene::Scene& scene,
                                                                      const std::vector<std::string>& settings);
 
-/// Whether the cloth can touch anything: "off", "bodies", "self" or "bodies and itself".
+/// Whether the cloth can touch anything: "off", "bodies", "itself" or "bodies and itself".
 [[nodiscard]] std::string contactText(const scene::Scene& scene);
 
 /// Runs a setting of a curve and compares it with the reference. The row has the keys of work_precision that apply.
