@@ -22,5 +22,17 @@ TEST(ActingSelfCollision, dependsOnTheSolverOnlyWhenItIsAutomatic) {
   EXPECT_EQ(acting("auto", "off"), "off");
 }
 
+TEST(ActingSelfCollision, makesTheThicknessOfTheHashRelevantOnlyWhereTheHashActs) {
+  const SettingInfo& thickness = requireSetting("self_thickness");
+  for (const char* solver : {"auto", "one_iteration"}) {
+    for (const char* method : {"auto", "off", "hash", "exact"}) {
+      Settings settings;
+      assignSettingExpression(settings, std::string("solver=") + solver);
+      assignSettingExpression(settings, std::string("self_collision=") + method);
+      EXPECT_EQ(thickness.relevant(settings), actingSelfCollision(settings) == "hash") << solver << " " << method;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace drape::settings
